@@ -2,8 +2,9 @@
 
     python obb_ap.py --images 200
 
-Truths and detections are generated: objects of four shapes in images of 1024 pixels, of which a detector finds nine tenths, with
-errors of place, size and angle, and invents some. The table has AP at IoU 0.5 and 0.75, and the mean over 0.5 to 0.95.
+Truths and detections are generated: objects of four shapes in images of 1024 pixels, of which a detector finds nine
+tenths, with errors of place, size and angle, and invents some. The table has AP at IoU 0.5 and 0.75, and the mean over
+0.5 to 0.95.
 """
 
 import argparse

@@ -1,6 +1,7 @@
 """Losses under MMRotate's names: against formulas of matrices, and against its files where the package lies.
 
-MMRotate needs compiled operators to be imported. Its losses need none: ``pip install --no-deps mmrotate`` is enough here.
+MMRotate needs compiled operators to be imported. Its losses need none: ``pip install --no-deps mmrotate`` is enough
+here.
 """
 
 import doctest
@@ -37,7 +38,10 @@ def reduce(loss, weight=None, reduction="mean", avg_factor=None):
 
 
 def weighted(f):
-    return lambda p, t, weight=None, reduction="mean", avg_factor=None, **more: reduce(f(p, t, **more), weight, reduction, avg_factor)
+    def loss(p, t, weight=None, reduction="mean", avg_factor=None, **more):
+        return reduce(f(p, t, **more), weight, reduction, avg_factor)
+
+    return loss
 
 
 @pytest.fixture(scope="module")
@@ -48,8 +52,12 @@ def original():
         pytest.skip("mmrotate is not there (pip install --no-deps mmrotate): its losses are not compared")
     root = pathlib.Path(spec.submodule_search_locations[0])
     register = types.SimpleNamespace(register_module=lambda: lambda cls: cls)
-    stubs = {"mmdet.models.losses.utils": {"weighted_loss": weighted}, "of_mmrotate.models.builder": {"ROTATED_LOSSES": register}}
-    names = [*stubs, "mmdet", "mmdet.models", "mmdet.models.losses", "of_mmrotate", "of_mmrotate.models", "of_mmrotate.models.losses"]
+    stubs = {
+        "mmdet.models.losses.utils": {"weighted_loss": weighted},
+        "of_mmrotate.models.builder": {"ROTATED_LOSSES": register},
+    }
+    parents = [package + part for package in ("mmdet", "of_mmrotate") for part in ("", ".models", ".models.losses")]
+    names = [*stubs, *parents]
     kept = {name: sys.modules.get(name) for name in names}
     for name in names:
         made = types.ModuleType(name)
@@ -58,9 +66,9 @@ def original():
         sys.modules[name] = made
     found = types.SimpleNamespace()
     try:
-        for name, file in [(f"models.losses.{x}", f"models/losses/{x}.py") for x in ("gaussian_dist_loss", "gaussian_dist_loss_v1", "kf_iou_loss")] + [
-            ("transforms", "core/bbox/transforms.py")
-        ]:
+        of_losses = ("gaussian_dist_loss", "gaussian_dist_loss_v1", "kf_iou_loss")
+        files = {f"models.losses.{name}": f"models/losses/{name}.py" for name in of_losses}
+        for name, file in {**files, "transforms": "core/bbox/transforms.py"}.items():
             if name == "transforms":
                 pytest.importorskip("cv2", reason="OpenCV is not installed: mmrotate's boxes are not compared")
             spec = importlib.util.spec_from_file_location(f"of_mmrotate.{name}", root / file)
@@ -131,10 +139,12 @@ def test_losses_of_gaussians_are_mmrotates(original, loss):
         p, t = boxes(50, 1, dtype).requires_grad_(), boxes(50, 2, dtype)
         weight = torch.rand(50, dtype=dtype)
         for more in (
-            {}, {"fun": "sqrt", "tau": 1.0}, {"fun": "none", "tau": 2.0, "alpha": 0.3}, {"alpha": 2.0, "loss_weight": 5.0, "reduction": "sum"},
+            {}, {"fun": "sqrt", "tau": 1.0}, {"fun": "none", "tau": 2.0, "alpha": 0.3},
+            {"alpha": 2.0, "loss_weight": 5.0, "reduction": "sum"},
             {"normalize" if loss == "gwd" else "sqrt": False},
         ):
-            for call in ({}, {"weight": weight}, {"weight": weight[:, None].expand(50, 5)}, {"weight": weight, "reduction_override": "none"}):
+            wide = {"weight": weight[:, None].expand(50, 5)}
+            for call in ({}, {"weight": weight}, wide, {"weight": weight, "reduction_override": "none"}):
                 losses = [cls(loss, **more)(p, t, **call) for cls in (original.gaussian_dist_loss.GDLoss, ours.GDLoss)]
                 torch.testing.assert_close(losses[1], losses[0], rtol=near, atol=near)
                 expected, found = [torch.autograd.grad(x.sum(), p)[0] for x in losses]
@@ -150,7 +160,8 @@ def test_first_losses_are_mmrotates(original, loss):
     for fun in ("sqrt", "log1p", ""):
         for tau in (1.0, 2.0):
             # The original gives one loss for each box, whatever the reduction, and needs weights.
-            expected = original.gaussian_dist_loss_v1.GDLoss_v1(loss, fun=fun, tau=tau)(p, t, torch.ones(50)).reshape(-1)
+            expected = original.gaussian_dist_loss_v1.GDLoss_v1(loss, fun=fun, tau=tau)(p, t, torch.ones(50))
+            expected = expected.reshape(-1)
             found = ours.GDLoss_v1(loss, fun=fun, tau=tau, reduction="none")(p, t)
             torch.testing.assert_close(found, expected, rtol=1e-9, atol=1e-12)
             expected, found = [torch.autograd.grad(x.sum(), p)[0] for x in (expected, found)]
@@ -160,12 +171,13 @@ def test_first_losses_are_mmrotates(original, loss):
 @pytest.mark.parametrize("fun", ["none", "ln", "exp"])
 def test_filter_losses_are_mmrotates(original, fun):
     p, t = boxes(50, 1).requires_grad_(), boxes(50, 2)
-    encoded, wanted = torch.randn(50, 5, dtype=torch.float64).mul(0.3).requires_grad_(), torch.randn(50, 5, dtype=torch.float64).mul(0.3)
+    encoded, wanted = torch.randn(2, 50, 5, dtype=torch.float64).mul(0.3)
+    encoded.requires_grad_()
     weight = torch.rand(50, dtype=torch.float64)
-    for call in ({}, {"weight": weight}, {"weight": weight, "avg_factor": 9.0}, {"reduction_override": "sum"}, {"beta": 0.5, "eps": 0.1}):
-        losses = [
-            cls(fun, loss_weight=3.0)(encoded, wanted, pred_decode=p, targets_decode=t, **call) for cls in (original.kf_iou_loss.KFLoss, ours.KFLoss)
-        ]
+    averaged = {"weight": weight, "avg_factor": 9.0}
+    for call in ({}, {"weight": weight}, averaged, {"reduction_override": "sum"}, {"beta": 0.5, "eps": 0.1}):
+        modules = [cls(fun, loss_weight=3.0) for cls in (original.kf_iou_loss.KFLoss, ours.KFLoss)]
+        losses = [module(encoded, wanted, pred_decode=p, targets_decode=t, **call) for module in modules]
         torch.testing.assert_close(losses[1], losses[0], rtol=1e-9, atol=1e-9)
         expected, found = [torch.autograd.grad(x.sum(), (p, encoded)) for x in losses]
         torch.testing.assert_close(found, expected, rtol=1e-8, atol=1e-10)
@@ -173,7 +185,8 @@ def test_filter_losses_are_mmrotates(original, fun):
 
 def test_the_filter_loss_is_its_formula():
     p, t = boxes(10, 1), boxes(10, 2)
-    found = ours.KFLoss(reduction="none")(torch.zeros(10, 5).double(), torch.zeros(10, 5).double(), pred_decode=p, targets_decode=t)
+    none = torch.zeros(10, 5).double()
+    found = ours.KFLoss(reduction="none")(none, none, pred_decode=p, targets_decode=t)
     for value, a, b in zip(found.tolist(), p.numpy(), t.numpy()):
         a, b = covariance(a), covariance(b)
         both = np.linalg.inv(np.linalg.inv(a) + np.linalg.inv(b))
@@ -271,7 +284,8 @@ def test_versions_are_mmrotates(original):
         expected, found = original.transforms.poly2obb(polys, version), ours.poly2obb(polys, version)
         torch.testing.assert_close(found, expected, rtol=1e-9, atol=1e-9)
         torch.testing.assert_close(found, ours.regular(start, version), rtol=1e-9, atol=1e-9)
-        torch.testing.assert_close(ours.norm_angle(start[:, 4], version), original.transforms.norm_angle(start[:, 4], version))
+        expected, found = [m.norm_angle(start[:, 4], version) for m in (original.transforms, ours)]
+        torch.testing.assert_close(found, expected)
         expected = original.transforms.obb2xyxy(ours.regular(start, version), version)
         torch.testing.assert_close(ours.obb2xyxy(start, version), expected)
         # The same rectangles.

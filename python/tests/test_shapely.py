@@ -23,7 +23,8 @@ def rectangles(count, seed):
 
 HOLED = shapely.Polygon([(0, 0), (0, 9), (9, 9), (9, 0)], [[(1, 1), (3, 1), (3, 3)], [(5, 5), (5, 7), (7, 7)]])
 PLAIN = shapely.Polygon([(0, 0), (4, 0), (4, 2)])
-PARTS = shapely.MultiPolygon([shapely.box(0, 0, 1, 1), shapely.Polygon([(5, 0), (5, 8), (9, 8)], [[(6, 6), (7, 7), (6, 7)]])])
+SECOND = shapely.Polygon([(5, 0), (5, 8), (9, 8)], [[(6, 6), (7, 7), (6, 7)]])
+PARTS = shapely.MultiPolygon([shapely.box(0, 0, 1, 1), SECOND])
 
 
 def test_the_example_of_the_module():
@@ -40,7 +41,8 @@ def test_rectangles_there_and_back():
         assert type(found) is geograd.Obb2 and geograd.iou(found, geograd.Obb2(start)).min() > 1 - 1e-12
     np.testing.assert_allclose(ours.boxes(polygons).array[:, :4], start[:, :4], atol=1e-12)
     # The other sense and another first corner are the same rectangle.
-    turned = [shapely.Polygon(np.roll(np.array(p.exterior.coords)[:4], k, 0)[:: 1 - 2 * (k % 2)]) for k, p in enumerate(polygons)]
+    corners = shapely.get_coordinates(polygons).reshape(50, 5, 2)[:, :4]
+    turned = [shapely.Polygon(np.roll(own, k, 0)[:: 1 - 2 * (k % 2)]) for k, own in enumerate(corners)]
     assert geograd.iou(ours.boxes(turned), geograd.Obb2(start)).min() > 1 - 1e-12
     one = ours.boxes(polygons[3])
     assert len(one) == 1 and np.allclose(one.array[0], ours.boxes(polygons).array[3])
@@ -81,7 +83,8 @@ def test_points_segments_and_upright_boxes():
     draw = np.random.default_rng(3)
     for kind, of, into, width in (
         (geograd.Vec2, shapely.points, ours.points, 2), (geograd.Vec3, shapely.points, ours.points, 3),
-        (geograd.Segment2, shapely.linestrings, ours.segments, 4), (geograd.Segment3, shapely.linestrings, ours.segments, 6),
+        (geograd.Segment2, shapely.linestrings, ours.segments, 4),
+        (geograd.Segment3, shapely.linestrings, ours.segments, 6),
     ):
         numbers = draw.normal(0, 5, (30, width))
         found = into(of(numbers.reshape(30, -1, width // 2) if width > 3 else numbers))
@@ -169,8 +172,9 @@ def test_geopandas():
 
 
 def test_no_geometries():
+    calls = ours.points, ours.segments, ours.boxes, ours.minimum_boxes, ours.upright_boxes, ours.rings, ours.polylines
     for none in ([], np.array([], object)):
-        for call in (ours.points, ours.segments, ours.boxes, ours.minimum_boxes, ours.upright_boxes, ours.rings, ours.polylines):
+        for call in calls:
             made = call(none)
             assert len(made) == 0 and ours.geometries(made).shape == (0,)
         found, rows = ours.all_rings(none)
@@ -179,7 +183,8 @@ def test_no_geometries():
 
 def test_missing_empty_and_other_geometries():
     calls = (
-        (ours.points, shapely.Point(1, 1)), (ours.segments, shapely.LineString([(0, 0), (1, 1)])), (ours.boxes, shapely.box(0, 0, 1, 1)),
+        (ours.points, shapely.Point(1, 1)), (ours.segments, shapely.LineString([(0, 0), (1, 1)])),
+        (ours.boxes, shapely.box(0, 0, 1, 1)),
         (ours.rings, PLAIN), (ours.all_rings, HOLED), (ours.polylines, shapely.LineString([(0, 0), (1, 1)])),
         (ours.minimum_boxes, PLAIN), (ours.upright_boxes, PLAIN),
     )

@@ -39,7 +39,8 @@ def detections(sv, count, seed, labelled=False):
     corners = oriented(count, seed)
     xyxy = np.concatenate([corners.min(1), corners.max(1)], 1)
     return sv.Detections(
-        xyxy=xyxy, class_id=draw.integers(0, 3, count), confidence=None if labelled else draw.integers(1, 30, count) / 30,
+        xyxy=xyxy, class_id=draw.integers(0, 3, count),
+        confidence=None if labelled else draw.integers(1, 30, count) / 30,
         data={"xyxyxyxy": corners},
     )
 
@@ -65,7 +66,8 @@ def test_matrices_are_supervisions(sv, metric, dtype):
     a, b = oriented(40, 1), oriented(30, 2)
     if dtype in (np.int64, np.int32):
         # Convex for sure.
-        a, b = [upright(n, seed, dtype)[:, [0, 1, 2, 1, 2, 3, 0, 3]].reshape(-1, 4, 2) for n, seed in ((40, 1), (30, 2))]
+        corners = [0, 1, 2, 1, 2, 3, 0, 3]
+        a, b = [upright(n, seed, dtype)[:, corners].reshape(-1, 4, 2) for n, seed in ((40, 1), (30, 2))]
     a, b = a.astype(dtype), b.astype(dtype)
     expected = sv.detection.utils.iou_and_nms.oriented_box_iou_batch(a, b, sv.OverlapMetric(metric))
     for own in ((a, b), (a.reshape(-1, 8), b)):
@@ -109,7 +111,8 @@ def test_detections(sv):
         assert np.array_equal(found.xyxy, expected.xyxy) and 5 < len(found) < 75
     plain = sv.Detections(xyxy=some.xyxy, class_id=some.class_id, confidence=some.confidence)
     assert np.array_equal(ours.with_nms(plain, 0.4).xyxy, plain.with_nms(0.4).xyxy)
-    assert np.array_equal(ours.with_nms(plain, 0.4, overlap_metric="IOS").xyxy, plain.with_nms(0.4, overlap_metric=sv.OverlapMetric.IOS).xyxy)
+    expected = plain.with_nms(0.4, overlap_metric=sv.OverlapMetric.IOS)
+    assert np.array_equal(ours.with_nms(plain, 0.4, overlap_metric="IOS").xyxy, expected.xyxy)
 
 
 @pytest.mark.parametrize("target", ["BOXES", "ORIENTED_BOUNDING_BOXES"])

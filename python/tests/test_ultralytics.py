@@ -1,4 +1,4 @@
-"""Stand-ins for Ultralytics: scores against the original, exact IoU against shapely, its validator with exact scores."""
+"""Stand-ins for Ultralytics: scores against the original, exact IoU against shapely, the validator."""
 
 import doctest
 import pickle
@@ -78,14 +78,16 @@ def test_thin_boxes_keep_their_determinants(metrics):
 
 def test_gradients():
     a, b = boxes(3, 5).requires_grad_(), (boxes(3, 5) + torch.tensor([1.0, 2, 0.5, 0.3, 0.2])).requires_grad_()
-    for call in (ours.iou, ours.batch_iou, ours.probiou, ours.batch_probiou, lambda a, b: ours.probiou(a, b, floor=1.5)):
+    floored = lambda a, b: ours.probiou(a, b, floor=1.5)
+    for call in (ours.iou, ours.batch_iou, ours.probiou, ours.batch_probiou, floored):
         assert torch.autograd.gradcheck(call, (a, b), atol=1e-6)
 
 
 def test_no_boxes():
     none, some = torch.zeros((0, 5), requires_grad=True), torch.ones(3, 5)
     for call in (ours.batch_iou, ours.batch_probiou):
-        assert call(none, some).shape == (0, 3) and call(some, none).shape == (3, 0) and call(none, none).shape == (0, 0)
+        assert call(none, some).shape == (0, 3) and call(some, none).shape == (3, 0)
+        assert call(none, none).shape == (0, 0)
         call(none, some).sum().backward()
     for call in (ours.iou, ours.probiou):
         assert call(none, none).shape == (0, 1)
@@ -132,7 +134,8 @@ def seen(cls, tmp_path, found, plots=False):
     """A validator that has seen an image with the truth and a detection."""
     made = validator(cls, tmp_path, plots)
     batch = {
-        "batch_idx": torch.zeros(1), "cls": torch.zeros(1, 1), "bboxes": TRUTH / torch.tensor([100.0, 100, 100, 100, 1]),
+        "batch_idx": torch.zeros(1), "cls": torch.zeros(1, 1),
+        "bboxes": TRUTH / torch.tensor([100.0, 100, 100, 100, 1]),
         "ori_shape": [(100, 100)], "img": torch.zeros(1, 3, 100, 100), "ratio_pad": [None], "im_file": ["one.jpg"],
     }
     made.update_metrics([{"bboxes": found, "conf": torch.tensor([0.9]), "cls": torch.zeros(1)}], batch)

@@ -1,4 +1,4 @@
-"""Scores of two boxes on tensors, item by item and of all pairs, with gradients: what stand-ins for libraries of torch share."""
+"""Scores of two boxes on tensors, item by item and of all pairs, with gradients: for stand-ins for libraries of torch."""
 
 from __future__ import annotations
 
@@ -45,19 +45,13 @@ class Score:
     def __init__(self, function: Any, kind: Optional[str] = None) -> None:
         self._f = function
         self._kind = {} if kind is None else {"kind": kind}
-        self._node: Any = None
+        # Here already: a compiler of graphs can make no operator.
+        self._operator = _on_tensors.function(function) if kind is None else getattr(_on_tensors, function.__name__)
 
     def _exact(self, *xs: Tensor) -> Tensor:
-        """The same as an operator of ``geograd.torch``."""
-        if self._node is None:
-            own = self._f
-            if self._kind:
-                verb = getattr(_on_tensors, own.__name__)
-                self._node = lambda *xs: verb(*xs, **self._kind)
-            else:
-                self._node = _on_tensors.function(own)
+        """The same by an operator of ``geograd.torch``."""
         device = xs[0].device
-        found: Tensor = self._node(*[x.cpu() if x.device.type not in ("cpu", "meta") else x for x in xs])
+        found: Tensor = self._operator(*[x if x.device.type in ("cpu", "meta") else x.cpu() for x in xs], **self._kind)
         return found if found.device == device else found.to(device)
 
     def aligned(self, *xs: Tensor) -> Tensor:
@@ -93,6 +87,24 @@ class Score:
     def matrix_vjp(self, a: Array, b: Array, upstream: Array) -> Tuple[Array, Array]:
         found: Tuple[Array, Array] = self._f.all_pairs_vjp(a, b, upstream, **self._kind)
         return found
+
+
+class Kept:
+    """Scores by their options, each made once; those of the options at first exist before a compiler of graphs looks."""
+
+    def __init__(self, make: Callable[..., Score], options: Tuple[Any, ...]) -> None:
+        self._make = make
+        self._scores = {options: make(*options)}
+
+    def __call__(self, *options: Any) -> Score:
+        if options not in self._scores:
+            self._scores[options] = self._make(*options)
+        return self._scores[options]
+
+
+def kept(*options: Any) -> Callable[[Callable[..., Score]], Kept]:
+    """Makes the scores that a function makes once for every choice of options, and those of these options now."""
+    return lambda make: Kept(make, options)
 
 
 class _Aligned(torch.autograd.Function):
@@ -160,8 +172,8 @@ class _Pairs(torch.autograd.Function):
             grads = ctx.score.matrix_vjp(array(x), array(y), array(up))
             by_a.append(like(grads[0], a))
             by_b.append(like(grads[1], b))
-        made = [torch.stack(own).reshape(*lead, *x.shape[-2:]).sum_to_size(x.shape) for own, x in ((by_a, a), (by_b, b))]
-        return (None, *made)
+        by = [torch.stack(own).reshape(*lead, *x.shape[-2:]) for own, x in ((by_a, a), (by_b, b))]
+        return None, by[0].sum_to_size(a.shape), by[1].sum_to_size(b.shape)
 
 
 def _apart(x: Tensor, lead: Sequence[int]) -> Tensor:
@@ -178,4 +190,4 @@ def _again(ctx: Any, f: Callable[..., Tensor], bar: Tensor) -> Sequence[Optional
     return [next(grads) if need else None for need in ctx.needs_input_grad[1:]]
 
 
-__all__ = ["Array", "Score", "array", "like", "numbers"]
+__all__ = ["Array", "Score", "array", "kept", "like", "numbers"]

@@ -15,23 +15,22 @@ torch.Size([2, 5])
 A configuration names a loss that is registered: ``ROTATED_LOSSES.register_module(module=RotatedIoULoss, force=True)``.
 
 What the losses measure
-    * :class:`GDLoss` and :class:`KFLoss` take a box as a Gaussian whose standard deviations are half its sides: the variance
-      along the width is ``width ** 2 / 4``. Ultralytics' probabilistic IoU has ``width ** 2 / 12``.
+    * :class:`GDLoss` and :class:`KFLoss` take a box as a Gaussian whose standard deviations are half its sides: the
+      variance along the width is ``width ** 2 / 4``. Ultralytics' probabilistic IoU has ``width ** 2 / 12``.
     * ``GDLoss("kld")`` is the divergence of the target from the prediction, KL(target || prediction): it inverts the
       prediction's covariance. ``GDLoss_v1("kld")`` is twice KL(prediction || target).
     * ``alpha`` weighs the shapes against the centres: offsets count as if they were ``alpha`` times shorter.
 
 Differences from MMRotate
     * The mean of no boxes is 0 with gradient 0, not NaN. Without a positive weight the loss is 0, too.
-    * Distances of Gaussians keep 1e-7 as the least number under the root of the distance. Floors inside, which change the
-      loss of boxes smaller than 0.3, are left out.
+    * Distances of Gaussians keep 1e-7 as the least number under the root of the distance. Floors inside, which change
+      the loss of boxes smaller than 0.3, are left out.
     * :class:`GDLoss_v1` takes calls without ``weight``, and reduces.
     * Boxes with NaN raise a ValueError that names the row.
 """
 
 from __future__ import annotations
 
-import functools
 import math
 from typing import Any, Callable, Dict, Optional, Tuple
 
@@ -40,9 +39,11 @@ from torch import Tensor, nn
 
 import geograd
 
-from ._tensors import Score, numbers
+from ._tensors import Score, kept, numbers
 
-__all__ = ["GDLoss", "GDLoss_v1", "KFLoss", "RotatedIoULoss", "norm_angle", "obb2poly", "obb2xyxy", "poly2obb", "regular"]
+__all__ = [
+    "GDLoss", "GDLoss_v1", "KFLoss", "RotatedIoULoss", "norm_angle", "obb2poly", "obb2xyxy", "poly2obb", "regular",
+]
 
 #: The least number under a root of a distance.
 _LEAST = 1e-7
@@ -129,7 +130,7 @@ def _shaped(distance: Any, fun: str, tau: float) -> Any:
     return 1 - 1 / (tau + distance) if tau >= 1.0 else distance
 
 
-@functools.lru_cache(maxsize=64)
+@kept("xy_wh_r", "gwd", "log1p", 0.0, 1.0, True)
 def _distance_loss(kind: str, loss: str, fun: str, tau: float, alpha: float, own: bool) -> Score:
     """``own`` is the option of the loss: ``normalize`` of gwd, ``sqrt`` of the others."""
     of = _KINDS[kind](alpha)
@@ -157,7 +158,7 @@ def _distance_loss(kind: str, loss: str, fun: str, tau: float, alpha: float, own
     return Score(gaussian_loss)
 
 
-@functools.lru_cache(maxsize=32)
+@kept("gwd", "sqrt", 1.0)
 def _first_loss(loss: str, fun: str, tau: float) -> Score:
     of = _Boxes(1.0)
 
@@ -181,7 +182,7 @@ def _first_loss(loss: str, fun: str, tau: float) -> Score:
     return Score(gaussian_loss_v1)
 
 
-@functools.lru_cache(maxsize=32)
+@kept("none", 1e-6)
 def _filtered(fun: str, eps: float) -> Score:
     @numbers(5, 5)
     def kfiou_loss(p: Any, t: Any) -> Any:
@@ -199,7 +200,7 @@ def _filtered(fun: str, eps: float) -> Score:
     return Score(kfiou_loss)
 
 
-@functools.lru_cache(maxsize=None)
+@kept()
 def _iou() -> Score:
     return Score(geograd.iou, "Obb2")
 
@@ -292,7 +293,8 @@ class RotatedIoULoss(_OfBoxes):
     """
 
     def __init__(
-        self, linear: bool = False, eps: float = 1e-6, reduction: str = "mean", loss_weight: float = 1.0, mode: str = "log"
+        self, linear: bool = False, eps: float = 1e-6, reduction: str = "mean", loss_weight: float = 1.0,
+        mode: str = "log",
     ) -> None:
         super().__init__(reduction, loss_weight)
         _one_of("mode", mode, ("linear", "square", "log"))
@@ -318,9 +320,10 @@ def _sided(boxes: Tensor) -> Tensor:
 class GDLoss(_OfBoxes):
     """The loss of a distance of two Gaussians: ``"gwd"``, ``"kld"``, ``"jd"``, ``"kld_symmax"`` or ``"kld_symmin"``.
 
-    ``fun`` is taken of the distance: ``"log1p"``, ``"sqrt"`` or ``"none"``. From ``tau`` 1 on the loss is
-    ``1 - 1 / (tau + distance)``. The distance of ``gwd`` is over the size of the boxes unless ``normalize=False``, and that of
-    the others is a root unless ``sqrt=False``. ``representation`` is ``"xy_wh_r"`` for boxes, or ``"xy_stddev_pearson"``.
+    ``fun`` is taken of the distance: ``"log1p"``, ``"sqrt"`` or ``"none"``. From ``tau`` 1 on the loss is ``1 - 1 /
+    (tau + distance)``. The distance of ``gwd`` is over the size of the boxes unless ``normalize=False``, and that of
+    the others is a root unless ``sqrt=False``. ``representation`` is ``"xy_wh_r"`` for boxes, or
+    ``"xy_stddev_pearson"``.
     """
 
     def __init__(
@@ -349,14 +352,15 @@ class GDLoss(_OfBoxes):
 
 
 class GDLoss_v1(_OfBoxes):
-    """The first form of the loss of Gaussians: ``"gwd"``, ``"kld"`` or ``"bcd"``, the last of the Bhattacharyya distance.
+    """The first form of the loss of Gaussians: ``"gwd"``, ``"kld"``, or ``"bcd"`` of the Bhattacharyya distance.
 
     The loss is ``1 - 1 / (tau + fun(distance))``, where the distances of ``gwd`` and ``kld`` are squares. ``fun`` is
     ``"sqrt"``, ``"log1p"`` or ``""``, which for ``gwd`` is the logarithm of the distance over the size of the boxes.
     """
 
     def __init__(
-        self, loss_type: str, fun: str = "sqrt", tau: float = 1.0, reduction: str = "mean", loss_weight: float = 1.0, **kwargs: Any
+        self, loss_type: str, fun: str = "sqrt", tau: float = 1.0, reduction: str = "mean", loss_weight: float = 1.0,
+        **kwargs: Any,
     ) -> None:
         super().__init__(reduction, loss_weight)
         _one_of("loss_type", loss_type, ("gwd", "kld", "bcd"))
@@ -373,8 +377,8 @@ class GDLoss_v1(_OfBoxes):
 class KFLoss(_Weighted):
     """The loss of IoU by a Kalman filter, of decoded boxes, and the smooth L1 loss of the encoded centres.
 
-    ``fun`` is ``"none"`` (``1 - kfiou``), ``"ln"`` or ``"exp"``. ``pred`` and ``target`` are encoded: their first two numbers
-    count. Without ``pred_decode`` and ``targets_decode`` they are boxes themselves.
+    ``fun`` is ``"none"`` (``1 - kfiou``), ``"ln"`` or ``"exp"``. ``pred`` and ``target`` are encoded: their first two
+    numbers count. Without ``pred_decode`` and ``targets_decode`` they are boxes themselves.
     """
 
     def __init__(self, fun: str = "none", reduction: str = "mean", loss_weight: float = 1.0, **kwargs: Any) -> None:
@@ -384,14 +388,16 @@ class KFLoss(_Weighted):
 
     def forward(
         self, pred: Tensor, target: Tensor, weight: Optional[Tensor] = None, avg_factor: Optional[float] = None,
-        pred_decode: Optional[Tensor] = None, targets_decode: Optional[Tensor] = None, reduction_override: Optional[str] = None, **options: Any,
+        pred_decode: Optional[Tensor] = None, targets_decode: Optional[Tensor] = None,
+        reduction_override: Optional[str] = None, **options: Any,
     ) -> Tensor:
-        """Returns the loss; the options ``beta`` and ``eps`` are where the L1 loss becomes linear and what is added to areas."""
+        """Returns the loss: from ``beta`` in ``options`` the L1 loss is linear, ``eps`` is added to areas."""
         options = {"pred_decode": pred_decode, "targets_decode": targets_decode, **options}
         return self._weighted(pred, target, weight, avg_factor, reduction_override, options)
 
     def _loss(self, pred: Tensor, target: Tensor, options: Dict[str, Any]) -> Tensor:
-        boxes = [options[name] if options[name] is not None else x for name, x in (("pred_decode", pred), ("targets_decode", target))]
+        decoded = (options["pred_decode"], pred), (options["targets_decode"], target)
+        boxes = [x if own is None else own for own, x in decoded]
         beta, eps = options.get("beta", 1 / 9), float(options.get("eps", 1e-6))
         offset = nn.functional.smooth_l1_loss(pred[:, :2], target[:, :2], reduction="none", beta=beta).sum(-1)
         score = _filtered(self.fun, eps).aligned(*[_sized(_floating(x)) for x in boxes])
@@ -405,7 +411,7 @@ _VERSIONS = {"oc": (0.0, math.pi / 2), "le90": (-math.pi / 2, math.pi), "le135":
 
 
 def norm_angle(angle: Tensor, angle_range: str) -> Tensor:
-    """Returns angles in radians in the range of a version: [-pi/2, pi/2) of le90, [-pi/4, 3pi/4) of le135, all of oc."""
+    """Returns angles in the range of a version, in radians: [-pi/2, pi/2) of le90, [-pi/4, 3pi/4) of le135, any of oc."""
     _one_of("angle_range", angle_range, tuple(_VERSIONS))
     low, period = _VERSIONS[angle_range]
     return angle if angle_range == "oc" else (angle - low) % period + low

@@ -3,17 +3,16 @@
 >>> import shapely, geograd
 >>> from geograd.shapely import boxes, geometries, minimum_boxes, rings
 >>> squares = [shapely.box(0, 0, 2, 1), shapely.box(1, 0, 3, 1)]
->>> geograd.iou.all_pairs(boxes(squares), boxes(squares)).round(3)
-array([[1.   , 0.333],
-       [0.333, 1.   ]])
+>>> geograd.iou.all_pairs(boxes(squares), boxes(squares)).round(3).tolist()
+[[1.0, 0.333], [0.333, 1.0]]
 >>> outlines = rings([shapely.Point(0, 0).buffer(1), shapely.Polygon([(0, 0), (4, 0), (4, 2)])])
->>> geograd.distance(geograd.Vec2(5.0, 0.0), outlines).round(6)
-array([4., 1.])
+>>> geograd.distance(geograd.Vec2(5.0, 0.0), outlines).round(6).tolist()
+[4.0, 1.0]
 >>> f"{geometries(minimum_boxes(shapely.MultiPoint([(0, 0), (2, 0), (1, 1), (3, 1)])))[0].area:.2f}"
 '3.00'
 
-Every function takes one geometry, a sequence, an array of objects, a ``GeoSeries`` or a ``GeometryArray``. A missing or empty
-geometry raises a ValueError that names its row, and so does one of another type. Coordinates are float64.
+Every function takes one geometry, a sequence, an array of objects, a ``GeoSeries`` or a ``GeometryArray``. A missing or
+empty geometry raises a ValueError that names its row, and so does one of another type. Coordinates are float64.
 """
 
 from __future__ import annotations
@@ -81,7 +80,7 @@ def segments(x: Any) -> Any:
 
 
 def _joined(lines: Array, closed: bool, has_z: bool = False) -> Tuple[Array, Array]:
-    """The vertices of lines one after another, and their offsets; of closed ones without the last, which is the first."""
+    """The vertices of lines one after another, and their offsets; of closed ones without the last vertex."""
     counts = shapely.get_num_coordinates(lines) if len(lines) else np.zeros(0, np.int64)
     vertices = shapely.get_coordinates(lines, include_z=has_z).reshape(-1, 3 if has_z else 2)
     ends = np.cumsum(counts)
@@ -110,7 +109,7 @@ def rings(x: Any) -> geograd.Rings:
     for bad, what in ((many, "several parts"), (holes, "holes")):
         if bad.any():
             row = int(np.flatnonzero(bad)[0])
-            raise ValueError(f"geometry {row} has {what}: all_rings gives the rings of such polygons, and the row of each")
+            raise ValueError(f"geometry {row} has {what}: all_rings gives the rings of such polygons, with their rows")
     lines = np.where(shapely.get_type_id(found) == _POLYGON, shapely.get_exterior_ring(found), found)
     return geograd.Rings(*_joined(lines, closed=True))
 
@@ -152,7 +151,8 @@ def boxes(x: Any, tolerance: float = 1e-6) -> Any:
     bad = error > tolerance * made[:, 2:4].max(1, initial=0)
     if bad.any():
         row = int(np.flatnonzero(bad)[0])
-        raise ValueError(f"geometry {row} is no rectangle: it differs by {error[row]:.2g}; minimum_boxes takes any polygons")
+        apart = f"it differs by {error[row]:.2g}"
+        raise ValueError(f"geometry {row} is no rectangle: {apart}; minimum_boxes takes any polygons")
     return geograd.Obb2(made)
 
 
@@ -212,7 +212,8 @@ def geometries(shapes: Any) -> Array:
     elif kind == "Obb2":
         made = shapely.polygons(np.asarray(geograd.corners(geograd.Obb2(rows)).array).reshape(-1, 4, 2))
     else:
-        raise TypeError(f"{kind} has no geometry: Vec2, Vec3, Segment2, Segment3, Aabb2, Obb2, Triangle2, Vec2x4 and paths have")
+        known = "Vec2, Vec3, Segment2, Segment3, Aabb2, Obb2, Triangle2, Vec2x4 and paths"
+        raise TypeError(f"{kind} has no geometry: {known} have")
     found: Array = np.asarray(made, object).reshape(lead)
     return found
 

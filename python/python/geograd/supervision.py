@@ -1,23 +1,25 @@
-"""Stands in for the overlaps of boxes in supervision: matrices, suppression, and mean average precision of ``sv.Detections``.
+"""Stands in for the overlaps of boxes in supervision: matrices, suppression, mean average precision of detections.
 
-Upright boxes are ``(x_min, y_min, x_max, y_max)``, oriented ones four corners in either order, of shape (N, 4, 2) or (N, 8).
+Upright boxes are ``(x_min, y_min, x_max, y_max)``, oriented ones four corners in either order, of shape (N, 4, 2) or
+(N, 8).
 
 >>> import numpy as np
 >>> from geograd.supervision import oriented_box_iou_batch, oriented_box_non_max_suppression
->>> boxes = np.array([[[0, 0], [4, 0], [4, 2], [0, 2]], [[1, 0], [5, 0], [5, 2], [1, 2]], [[9, 9], [11, 11], [10, 12], [8, 10]]])
->>> oriented_box_iou_batch(boxes[:1], boxes)
-array([[1. , 0.6, 0. ]])
+>>> boxes = np.array([[0, 0, 4, 0, 4, 2, 0, 2], [1, 0, 5, 0, 5, 2, 1, 2], [9, 9, 11, 11, 10, 12, 8, 10]])
+>>> oriented_box_iou_batch(boxes[:1], boxes).tolist()
+[[1.0, 0.6, 0.0]]
 >>> scores = np.array([[0, 0, 0, 0, 0.8], [0, 0, 0, 0, 0.9], [0, 0, 0, 0, 0.7]])
->>> oriented_box_non_max_suppression(scores, boxes, iou_threshold=0.5)
-array([False,  True,  True])
+>>> oriented_box_non_max_suppression(scores, boxes, iou_threshold=0.5).tolist()
+[False, True, True]
 
-:class:`MeanAveragePrecision` is supervision's metric with these overlaps. ``with geograd.supervision.exact():`` puts them in the
-place of supervision's own for all that it computes: ``Detections.with_nms`` and ``with_nmm``, confusion matrices, trackers.
+:class:`MeanAveragePrecision` is supervision's metric with these overlaps. ``with geograd.supervision.exact():`` puts
+them in the place of supervision's own for all that it computes: ``Detections.with_nms`` and ``with_nmm``, confusion
+matrices, trackers.
 
 Differences from supervision
     * Overlaps of oriented boxes are those of float64, where supervision's are float32.
-    * A quadrilateral that is not convex or not finite raises a ValueError that names the row. One that is thinner than the
-      rounding of its corners has no area: it overlaps nothing.
+    * A quadrilateral that is not convex or not finite raises a ValueError that names the row. One that is thinner than
+      the rounding of its corners has no area: it overlaps nothing.
 """
 
 from __future__ import annotations
@@ -70,7 +72,8 @@ def _upright(by_union: bool) -> geograd.Function:
 def box_iou_batch(boxes_true: Array, boxes_detection: Array, overlap_metric: Any = "IOU") -> Array:
     """Returns the overlap of every box of (N, 4) with every one of (M, 4), 0 to 1: float32 of shape (N, M).
 
-    ``overlap_metric`` is ``"IOU"``, over the union, or ``"IOS"``, over the smaller box, or supervision's ``OverlapMetric``.
+    ``overlap_metric`` is ``"IOU"``, over the union, or ``"IOS"``, over the smaller box, or supervision's
+    ``OverlapMetric``.
     """
     by_union = _by_union(overlap_metric)
     a, b = [np.asarray(boxes, np.float64) for boxes in (boxes_true, boxes_detection)]
@@ -105,7 +108,7 @@ def _areas(corners: Array) -> Array:
 
 
 def oriented_box_iou_batch(boxes_true: Array, boxes_detection: Array, overlap_metric: Any = "IOU") -> Array:
-    """Returns the overlap of every convex quadrilateral of one list with every one of another, 0 to 1: float64 of (N, M).
+    """Returns the overlap of every convex quadrilateral of a list with every one of another, 0 to 1: float64 of (N, M).
 
     Lists have the shape (N, 4, 2) or (N, 8). ``overlap_metric`` is that of :func:`box_iou_batch`.
     """
@@ -130,12 +133,13 @@ def _best_first(predictions: Array, threshold: float) -> tuple[Array, Array]:
     if predictions.ndim != 2 or predictions.shape[1] not in (5, 6):
         raise ValueError(f"`predictions` has shape {predictions.shape}; expected (N, 5) or (N, 6)")
     # Classes may be any numbers.
-    classes = np.unique(predictions[:, 5], return_inverse=True)[1] if predictions.shape[1] == 6 else np.zeros(len(predictions), int)
+    own = predictions[:, 5] if predictions.shape[1] == 6 else np.zeros(len(predictions))
+    classes = np.unique(own, return_inverse=True)[1]
     return np.flip(predictions[:, 4].argsort()), classes.reshape(-1).astype(np.int64)
 
 
 def _kept(order: Array, classes: Array, threshold: float, matrix: Callable[[Array], Array]) -> NDArray[np.bool_]:
-    """Which shapes stay: class by class, the best first, a shape goes that overlaps a kept one by more than the threshold."""
+    """Which shapes stay: of a class, the best first, one goes that overlaps a kept one by more than the threshold."""
     keep = np.zeros(len(order), bool)
     for own in np.unique(classes):
         places = order[classes[order] == own]
@@ -148,8 +152,10 @@ def _kept(order: Array, classes: Array, threshold: float, matrix: Callable[[Arra
     return keep
 
 
-def box_non_max_suppression(predictions: Array, iou_threshold: float = 0.5, overlap_metric: Any = "IOU") -> NDArray[np.bool_]:
-    """Returns which boxes stay, (N,) truths: rows are (x_min, y_min, x_max, y_max, score) or have a class after these."""
+def box_non_max_suppression(
+    predictions: Array, iou_threshold: float = 0.5, overlap_metric: Any = "IOU"
+) -> NDArray[np.bool_]:
+    """Returns which boxes stay, (N,) truths: rows are (x_min, y_min, x_max, y_max, score), or have a class, too."""
     by_union = _by_union(overlap_metric)
     order, classes = _best_first(predictions, iou_threshold)
     boxes = np.ascontiguousarray(np.asarray(predictions)[:, :4], np.float64)
@@ -166,14 +172,18 @@ def box_non_max_suppression(predictions: Array, iou_threshold: float = 0.5, over
 def oriented_box_non_max_suppression(
     predictions: Array, oriented_boxes: Array, iou_threshold: float = 0.5, overlap_metric: Any = "IOU"
 ) -> NDArray[np.bool_]:
-    """Returns which oriented boxes stay, (N,) truths: of ``predictions`` the scores count, and the classes where there are some."""
+    """Returns which oriented boxes stay, (N,) truths: of ``predictions`` the scores count, and classes if there are."""
     by_union = _by_union(overlap_metric)
     order, classes = _best_first(predictions, iou_threshold)
     corners = _corners(oriented_boxes, "oriented_boxes")
     if len(order) != len(corners):
         raise ValueError(f"{len(order)} `predictions` and {len(corners)} `oriented_boxes`: one box for each is needed")
     metric = "IOU" if by_union else "IOS"
-    return _kept(order, classes, iou_threshold, lambda places: oriented_box_iou_batch(corners[places], corners[places], metric))
+
+    def overlaps(places: Array) -> Array:
+        return oriented_box_iou_batch(corners[places], corners[places], metric)
+
+    return _kept(order, classes, iou_threshold, overlaps)
 
 
 def with_nms(detections: Any, threshold: float = 0.5, class_agnostic: bool = False, overlap_metric: Any = "IOU") -> Any:
@@ -202,9 +212,10 @@ def exact() -> Iterator[None]:
     originals = importlib.import_module("supervision.detection.utils.iou_and_nms")
     kept: list[tuple[Any, str, Any]] = []
     for name, own in _STANDS_IN.items():
-        original = getattr(originals, name)
+        original = getattr(originals, name, None)
         for title, module in list(sys.modules.items()):
-            if title.partition(".")[0] == "supervision" and getattr(module, name, None) is original:
+            is_part = title.partition(".")[0] == "supervision"
+            if is_part and original is not None and module.__dict__.get(name) is original:
                 kept.append((module, name, original))
     try:
         for module, name, _ in kept:

@@ -1,6 +1,7 @@
-"""Stands in for the boxes of ``torchvision.ops``: IoU matrices, losses, suppression and conversions, with the same names.
+"""Stands in for the boxes of ``torchvision.ops``: IoU matrices, losses, suppression, conversions, with the same names.
 
-Rotated boxes have exact overlaps and gradients in every function; torchvision has them in ``box_iou``, without a gradient.
+Rotated boxes have exact overlaps and gradients in every function; torchvision has them in ``box_iou``, without a
+gradient.
 
 >>> import torch
 >>> from geograd.torchvision import box_iou, generalized_box_iou_loss
@@ -13,28 +14,27 @@ Rotated boxes have exact overlaps and gradients in every function; torchvision h
 torch.Size([1, 5])
 
 Formats
-    ``xyxy`` (corners), ``xywh`` (smallest corner, size), ``cxcywh`` (centre, size), ``cxcywhr``, ``xywhr``, ``xyxyxyxy``. The
-    angle ``r`` is in degrees, counter-clockwise in an image whose y points down: it turns x towards -y. ``xywhr`` has the
-    corner that is the top left one before turning, ``xyxyxyxy`` the corners from there clockwise in the image. Four corners
-    stand for the rectangle of the first three.
+    ``xyxy`` (corners), ``xywh`` (smallest corner, size), ``cxcywh`` (centre, size), ``cxcywhr``, ``xywhr``,
+    ``xyxyxyxy``. The angle ``r`` is in degrees, counter-clockwise in an image whose y points down: it turns x towards
+    -y. ``xywhr`` has the corner that is the top left one before turning, ``xyxyxyxy`` the corners from there clockwise
+    in the image. Four corners stand for the rectangle of the first three.
 
 Differences from torchvision
-    * Rotated IoU is exact to rounding, in float32 and in float64. torchvision 0.29 gives float32 for float64 boxes, and loses
-      corners of boxes that nearly touch: 0.236 for an IoU of 4/21, 0.33 for 0.997 of two nearly equal boxes, 1 for boxes
-      apart whose sides are below 0.01.
-    * Every function takes ``fmt``, leading axes and rotated boxes, with gradients. Rotated GIoU, DIoU and CIoU measure by the
-      convex hull of both boxes and ignore ``eps``.
-    * Rotated boxes that are no boxes (negative sizes, NaN) raise a ValueError that names the row, and so do all in ``nms``.
-      Upright ones of other functions compute as in torchvision, NaN for two empty boxes included.
+    * Rotated IoU is exact to rounding, in float32 and in float64. torchvision 0.29 gives float32 for float64 boxes, and
+      loses corners of boxes that nearly touch: 0.236 for an IoU of 4/21, 0.33 for 0.997 of two nearly equal boxes, 1
+      for boxes apart whose sides are below 0.01.
+    * Every function takes ``fmt``, leading axes and rotated boxes, with gradients. Rotated GIoU, DIoU and CIoU measure
+      by the convex hull of both boxes and ignore ``eps``.
+    * Rotated boxes that are no boxes (negative sizes, NaN) raise a ValueError that names the row, and so do all in
+      ``nms``. Upright ones of other functions compute as in torchvision, NaN for two empty boxes included.
     * At a tie, such as touching edges, both sides share the derivative.
-    * ``batched_nms`` compares boxes of one class where they are. torchvision shifts the classes apart, which rounds, and
-      joins classes again where all coordinates are negative.
+    * ``batched_nms`` compares boxes of one class where they are. torchvision shifts the classes apart, which rounds,
+      and joins classes again where all coordinates are negative.
     * Integer boxes compute in float64, without overflow.
 """
 
 from __future__ import annotations
 
-import functools
 import math
 from typing import Any, Tuple
 
@@ -43,11 +43,11 @@ from torch import Tensor
 
 import geograd
 
-from ._tensors import Score, numbers
+from ._tensors import Score, kept, numbers
 
 __all__ = [
-    "batched_nms", "box_area", "box_convert", "box_iou", "complete_box_iou", "complete_box_iou_loss", "distance_box_iou",
-    "distance_box_iou_loss", "generalized_box_iou", "generalized_box_iou_loss", "nms",
+    "batched_nms", "box_area", "box_convert", "box_iou", "complete_box_iou", "complete_box_iou_loss",
+    "distance_box_iou", "distance_box_iou_loss", "generalized_box_iou", "generalized_box_iou_loss", "nms",
 ]
 
 _UPRIGHT = {"xyxy": 4, "xywh": 4, "cxcywh": 4}
@@ -83,7 +83,7 @@ def _aspect(a: Any, b: Any) -> Any:
     return 4 / math.pi**2 * (turn[0] - turn[1]) ** 2
 
 
-@functools.lru_cache(maxsize=None)
+@kept()
 def _iou() -> Score:
     @numbers(4, 4)
     def box_iou(a: Any, b: Any) -> Any:
@@ -93,7 +93,7 @@ def _iou() -> Score:
     return Score(box_iou)
 
 
-@functools.lru_cache(maxsize=None)
+@kept()
 def _giou() -> Score:
     @numbers(4, 4)
     def generalized_box_iou(a: Any, b: Any) -> Any:
@@ -105,7 +105,7 @@ def _giou() -> Score:
     return Score(generalized_box_iou)
 
 
-@functools.lru_cache(maxsize=32)
+@kept(1e-7)
 def _diou(eps: float) -> Score:
     @numbers(4, 4)
     def distance_box_iou(a: Any, b: Any) -> Any:
@@ -115,7 +115,7 @@ def _diou(eps: float) -> Score:
     return Score(distance_box_iou)
 
 
-@functools.lru_cache(maxsize=32)
+@kept(1e-7)
 def _ciou(eps: float) -> Score:
     @numbers(5, 5)
     def complete_box_iou(a: Any, b: Any) -> Any:
@@ -128,7 +128,7 @@ def _ciou(eps: float) -> Score:
     return Score(complete_box_iou)
 
 
-@functools.lru_cache(maxsize=32)
+@kept(1e-7)
 def _giou_loss(eps: float) -> Score:
     @numbers(4, 4)
     def generalized_box_iou_loss(a: Any, b: Any) -> Any:
@@ -139,7 +139,7 @@ def _giou_loss(eps: float) -> Score:
     return Score(generalized_box_iou_loss)
 
 
-@functools.lru_cache(maxsize=32)
+@kept(1e-7)
 def _diou_loss(eps: float) -> Score:
     @numbers(4, 4)
     def distance_box_iou_loss(a: Any, b: Any) -> Any:
@@ -149,7 +149,7 @@ def _diou_loss(eps: float) -> Score:
     return Score(distance_box_iou_loss)
 
 
-@functools.lru_cache(maxsize=32)
+@kept(1e-7)
 def _weight(eps: float) -> Score:
     @numbers(4, 4)
     def weight(a: Any, b: Any) -> Any:
@@ -160,7 +160,7 @@ def _weight(eps: float) -> Score:
     return Score(weight)
 
 
-@functools.lru_cache(maxsize=None)
+@kept()
 def _ciou_loss() -> Score:
     @numbers(4, 4, 0)
     def complete_box_iou_loss(a: Any, b: Any, weight: Any) -> Any:
@@ -171,16 +171,21 @@ def _ciou_loss() -> Score:
     return Score(complete_box_iou_loss)
 
 
-@functools.lru_cache(maxsize=None)
+@kept("iou")
 def _rotated(verb: str) -> Score:
     return Score(getattr(geograd, verb), "Obb2")
+
+
+for _verb in ("giou", "diou", "ciou_fixed_weight"):
+    _rotated(_verb)
 
 
 def _checked(boxes: Tensor, fmt: str, name: str = "boxes") -> None:
     if fmt not in _WIDTHS:
         raise ValueError(f"fmt is one of {', '.join(_WIDTHS)}, not {fmt!r}")
     if boxes.dim() == 0 or boxes.shape[-1] != _WIDTHS[fmt]:
-        raise ValueError(f"`{name}`: fmt={fmt!r} needs a tensor of shape (..., {_WIDTHS[fmt]}), not {tuple(boxes.shape)}")
+        wanted = f"fmt={fmt!r} needs a tensor of shape (..., {_WIDTHS[fmt]})"
+        raise ValueError(f"`{name}`: {wanted}, not {tuple(boxes.shape)}")
 
 
 def _ready(boxes1: Tensor, boxes2: Tensor, fmt: str) -> Tuple[Tensor, Tensor, torch.dtype]:
@@ -193,7 +198,7 @@ def _ready(boxes1: Tensor, boxes2: Tensor, fmt: str) -> Tuple[Tensor, Tensor, to
     made = []
     for boxes in (boxes1, boxes2):
         boxes = boxes if boxes.dtype == inner else boxes.to(inner)
-        made.append(_obb2(boxes, fmt) if fmt in _ROTATED else boxes if fmt == "xyxy" else box_convert(boxes, fmt, "xyxy"))
+        made.append(_obb2(boxes, fmt) if fmt in _ROTATED else _to_corners(boxes, fmt))
     return made[0], made[1], result
 
 
@@ -212,12 +217,12 @@ def _matrix(score: Score, boxes1: Tensor, boxes2: Tensor, dtype: torch.dtype) ->
 def _in_pairs(boxes1: Tensor, boxes2: Tensor, fmt: str) -> Tuple[Tensor, Tensor, torch.dtype]:
     for name, boxes in (("boxes1", boxes1), ("boxes2", boxes2)):
         if boxes.dim() < 2:
-            raise IndexError(f"`{name}`: a list of boxes is needed, of shape (..., N, {boxes.shape[-1] if boxes.dim() else 4})")
+            raise IndexError(f"`{name}`: a list of boxes is needed, not a tensor of shape {tuple(boxes.shape)}")
     return _ready(boxes1, boxes2, fmt)
 
 
 def box_iou(boxes1: Tensor, boxes2: Tensor, fmt: str = "xyxy") -> Tensor:
-    """Returns the IoU of every box of (..., N, K) with every one of (..., M, K), 0 to 1: a tensor of shape (..., N, M)."""
+    """Returns the IoU of every box of (..., N, K) with every one of (..., M, K), 0 to 1: a tensor (..., N, M)."""
     a, b, dtype = _in_pairs(boxes1, boxes2, fmt)
     return _matrix(_rotated("iou") if fmt in _ROTATED else _iou(), a, b, dtype)
 
@@ -229,14 +234,16 @@ def generalized_box_iou(boxes1: Tensor, boxes2: Tensor, fmt: str = "xyxy") -> Te
 
 
 def distance_box_iou(boxes1: Tensor, boxes2: Tensor, eps: float = 1e-7, fmt: str = "xyxy") -> Tensor:
-    """Returns the distance IoU of all pairs, -1 to 1: IoU less the squared distance of the centres over that of the hull."""
+    """Returns the distance IoU of all pairs, -1 to 1: IoU less the squared distance of the centres over the hull's."""
     a, b, dtype = _in_pairs(boxes1, boxes2, fmt)
     return _matrix(_rotated("diou") if fmt in _ROTATED else _diou(eps), a, b, dtype)
 
 
 def complete_box_iou(boxes1: Tensor, boxes2: Tensor, eps: float = 1e-7, fmt: str = "xyxy") -> Tensor:
-    """Returns the complete IoU of all pairs, at most 1: distance IoU less a term of aspect ratios, its weight a constant in
-    the gradient."""
+    """Returns the complete IoU of all pairs, at most 1: distance IoU less a term of aspect ratios.
+
+    The weight of that term is a constant in the gradient.
+    """
     a, b, dtype = _in_pairs(boxes1, boxes2, fmt)
     if fmt in _ROTATED:
         return _matrix(_rotated("ciou_fixed_weight"), a, b, dtype)
@@ -298,7 +305,10 @@ def complete_box_iou_loss(
 
 
 def nms(boxes: Tensor, scores: Tensor, iou_threshold: float, fmt: str = "xyxy") -> Tensor:
-    """Returns the places of the boxes that no kept box of a higher score overlaps by more than a threshold, the best first."""
+    """Returns the places of the boxes that no kept box of a higher score overlaps by more than a threshold.
+
+    The best come first.
+    """
     return _suppressed(boxes, scores, None, iou_threshold, fmt)
 
 
@@ -321,7 +331,7 @@ def _suppressed(boxes: Tensor, scores: Tensor, classes: Any, threshold: float, f
     return score.suppressed(a, scores.to(torch.float64), threshold, classes)
 
 
-@functools.lru_cache(maxsize=None)
+@kept()
 def _upright() -> Score:
     return Score(geograd.iou, "Aabb2")
 
@@ -353,7 +363,7 @@ def box_convert(boxes: Tensor, in_fmt: str, out_fmt: str) -> Tensor:
     if in_fmt == out_fmt:
         return boxes.clone()
     if (in_fmt in _ROTATED) != (out_fmt in _ROTATED):
-        raise NotImplementedError(f"boxes of {in_fmt} have no format {out_fmt}: one of both is upright, and one rotated")
+        raise NotImplementedError(f"boxes of {in_fmt} have no format {out_fmt}: only one of both is rotated")
     _checked(boxes, in_fmt)
     if in_fmt in _UPRIGHT:
         return _from_corners(_to_corners(boxes, in_fmt), out_fmt)

@@ -1,4 +1,4 @@
-"""Stands in for the overlaps of oriented boxes in Ultralytics: exact IoU in place of probabilistic IoU, and the latter itself.
+"""Stands in for the overlaps of oriented boxes in Ultralytics: exact IoU, and probabilistic IoU as the original has it.
 
 Boxes are ``xywhr``: centre, width, height, and the angle in radians from x towards y, as in ``geograd.Obb2``.
 
@@ -11,20 +11,20 @@ Boxes are ``xywhr``: centre, width, height, and the angle in radians from x towa
 >>> nms(found, torch.tensor([0.9, 0.8]), 0.5)
 tensor([0])
 
-``model.val(validator=geograd.ultralytics.OBBValidator)`` scores a model by exact IoU. :func:`exact` does so for code that calls
-Ultralytics' own validator or tracker, and ``TorchNMS.fast_nms(boxes, scores, threshold, iou_func=batch_iou)`` suppresses by it.
+``model.val(validator=geograd.ultralytics.OBBValidator)`` scores a model by exact IoU. :func:`exact` does so for code
+that calls Ultralytics' own validator or tracker, and ``TorchNMS.fast_nms(boxes, scores, threshold,
+iou_func=batch_iou)`` suppresses by it.
 
 Differences from Ultralytics
     * ``batch_iou`` and ``nms`` raise a ValueError that names the row for negative sizes and NaN.
-    * ``probiou`` and ``batch_probiou`` have Ultralytics' ``eps`` and ``floor``, and other roundings: determinants are products of
-      sizes, where Ultralytics subtracts numbers that are nearly equal for thin boxes.
+    * ``probiou`` and ``batch_probiou`` have Ultralytics' ``eps`` and ``floor``, and other roundings: determinants are
+      products of sizes, where Ultralytics subtracts numbers that are nearly equal for thin boxes.
     * ``nms`` is greedy. Ultralytics' ``fast_nms`` lets suppressed boxes suppress others.
 """
 
 from __future__ import annotations
 
 import contextlib
-import functools
 import importlib
 import importlib.util
 import math
@@ -37,7 +37,7 @@ from torch import Tensor
 
 import geograd
 
-from ._tensors import Score, array, numbers
+from ._tensors import Score, array, kept, numbers
 
 __all__ = ["OBBValidator", "batch_iou", "batch_probiou", "exact", "iou", "nms", "probiou"]
 
@@ -60,7 +60,7 @@ def _ready(obb1: Boxes, obb2: Boxes) -> Tuple[Tensor, Tensor, torch.dtype]:
     return a.to(inner), b.to(inner), result
 
 
-@functools.lru_cache(maxsize=None)
+@kept()
 def _iou() -> Score:
     return Score(geograd.iou, "Obb2")
 
@@ -88,7 +88,7 @@ def _probiou(a: Any, b: Any, turned_a: Tuple[Any, Any], turned_b: Tuple[Any, Any
     return 1 - geograd.sqrt(1 - geograd.exp(-distance) + eps)
 
 
-@functools.lru_cache(maxsize=32)
+@kept(1e-7, 0.0)
 def _aligned(eps: float, floor: float) -> Score:
     @numbers(5, 5)
     def probiou(a: Any, b: Any) -> Any:
@@ -98,7 +98,7 @@ def _aligned(eps: float, floor: float) -> Score:
     return Score(probiou)
 
 
-@functools.lru_cache(maxsize=32)
+@kept(1e-7)
 def _of_pairs(eps: float) -> Score:
     @numbers(6, 6)
     def batch_probiou(a: Any, b: Any) -> Any:
@@ -107,7 +107,7 @@ def _of_pairs(eps: float) -> Score:
     return Score(batch_probiou)
 
 
-@functools.lru_cache(maxsize=None)
+@kept()
 def _aspect() -> Score:
     @numbers(5, 5)
     def aspect(a: Any, b: Any) -> Any:
@@ -140,7 +140,8 @@ def _alike(a: Tensor, b: Tensor) -> Tuple[Tensor, Tensor]:
 def probiou(obb1: Boxes, obb2: Boxes, CIoU: bool = False, eps: float = 1e-7, floor: float = 0.0) -> Tensor:
     """Returns the probabilistic IoU of box i of both, 0 to 1: a tensor of shape (..., 1).
 
-    ``CIoU`` subtracts the term of aspect ratios, its weight a constant in the gradient. ``floor`` is added to the variances.
+    ``CIoU`` subtracts the term of aspect ratios, its weight a constant in the gradient. ``floor`` is added to the
+    variances.
     """
     a, b, dtype = _ready(obb1, obb2)
     a, b = _alike(a, b)
@@ -154,7 +155,7 @@ def probiou(obb1: Boxes, obb2: Boxes, CIoU: bool = False, eps: float = 1e-7, flo
 
 
 def batch_probiou(obb1: Boxes, obb2: Boxes, eps: float = 1e-7) -> Tensor:
-    """Returns the probabilistic IoU of every box of (N, 5) with every one of (M, 5), 0 to 1: a tensor of shape (N, M)."""
+    """Returns the probabilistic IoU of every box of (N, 5) with every one of (M, 5), 0 to 1: a tensor (N, M)."""
     a, b, dtype = _ready(obb1, obb2)
     # Cosine and sine of each box once.
     a, b = [torch.cat([x[..., :4], x[..., 4:].cos(), x[..., 4:].sin()], -1) for x in (a, b)]
@@ -162,9 +163,9 @@ def batch_probiou(obb1: Boxes, obb2: Boxes, eps: float = 1e-7) -> Tensor:
 
 
 def nms(boxes: Boxes, scores: Tensor, iou_threshold: float, classes: Optional[Tensor] = None) -> Tensor:
-    """Returns the places of the boxes that no kept box of a higher score overlaps by more than a threshold, the best first.
+    """Returns the places of the boxes that no kept box of a higher score overlaps by more than a threshold.
 
-    With ``classes`` boxes suppress those of their own class alone.
+    The best come first. With ``classes`` boxes suppress those of their own class alone.
     """
     a, _, _ = _ready(boxes, boxes)
     if a.dim() != 2:
@@ -185,7 +186,8 @@ _TRACKS = "ultralytics.trackers.utils.matching"
 def exact(nms: bool = False) -> Iterator[None]:
     """Puts ``batch_iou`` in the place of Ultralytics' ``batch_probiou``, until the context ends.
 
-    It scores detections, confusion matrices and tracks; with ``nms`` it suppresses, too. The place is one for all threads.
+    It scores detections, confusion matrices and tracks; with ``nms`` it suppresses, too. The place is one for all
+    threads.
     """
     wanted = [*_SCORES, "ultralytics.utils.nms"] if nms else list(_SCORES)
     if importlib.util.find_spec("lap"):
@@ -208,7 +210,8 @@ def _validator() -> Any:
     class OBBValidator(original):  # type: ignore[misc]
         """Ultralytics' validator of oriented boxes, with exact IoU in its scores and its confusion matrix.
 
-        Suppression stays that of the model; ``with geograd.ultralytics.exact(nms=True):`` around ``val`` changes it, too.
+        Suppression stays that of the model; ``with geograd.ultralytics.exact(nms=True):`` around ``val`` changes it,
+        too.
         """
 
         def _process_batch(self, preds: Any, batch: Any) -> Any:
