@@ -55,7 +55,8 @@ def test_rectangles_are_told_from_other_polygons():
         ours.boxes([shapely.box(0, 0, 1, 1), PLAIN])
     skew = shapely.Polygon([(0, 0), (4, 0), (5, 2), (1, 2)])
     kite = shapely.Polygon([(0, 0), (4, 0), (4.5, 2), (0, 2)])
-    for bad in (skew, kite):
+    trapezoid = shapely.Polygon([(0, 0), (4, 0), (3, 2), (1, 2)])
+    for bad in (skew, kite, trapezoid):
         with pytest.raises(ValueError, match="geometry 0 is no rectangle: it differs by"):
             ours.boxes([bad])
     assert len(ours.boxes([kite], tolerance=0.2)) == 1

@@ -116,7 +116,14 @@ def test_detections(sv):
 
 
 @pytest.mark.parametrize("target", ["BOXES", "ORIENTED_BOUNDING_BOXES"])
-def test_mean_average_precision(sv, target):
+def test_mean_average_precision(sv, target, monkeypatch):
+    asked = []
+
+    def spied(*arguments):
+        asked.append(len(arguments[0]))
+        return ours.oriented_box_iou_batch(*arguments)
+
+    monkeypatch.setitem(ours._STANDS_IN, "oriented_box_iou_batch", spied)
     metrics = sys.modules["supervision.metrics"]
     target = metrics.MetricTarget[target]
     results = []
@@ -131,7 +138,9 @@ def test_mean_average_precision(sv, target):
             guesses.xyxy = guesses.xyxy + np.concatenate([move, move], -1)[:, 0]
             made.update(guesses, truths)
         made.update(sv.Detections.empty(), sv.Detections.empty())
+        assert not asked
         results.append(made.compute())
+    assert bool(asked) == (target.name != "BOXES")
     expected, found = results
     np.testing.assert_allclose(found.mAP_scores, expected.mAP_scores, atol=1e-6)
     np.testing.assert_allclose(found.ap_per_class, expected.ap_per_class, atol=1e-6)

@@ -1,4 +1,4 @@
-"""Scores of two boxes on tensors, item by item and of all pairs, with gradients: for stand-ins for libraries of torch."""
+"""Scores of two boxes on tensors, item by item and of all pairs, with gradients: for stand-ins for torch's libraries."""
 
 from __future__ import annotations
 
@@ -90,7 +90,7 @@ class Score:
 
 
 class Kept:
-    """Scores by their options, each made once; those of the options at first exist before a compiler of graphs looks."""
+    """Scores by their options, each made once, those of the first options before a compiler of graphs looks."""
 
     def __init__(self, make: Callable[..., Score], options: Tuple[Any, ...]) -> None:
         self._make = make

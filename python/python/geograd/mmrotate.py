@@ -411,7 +411,7 @@ _VERSIONS = {"oc": (0.0, math.pi / 2), "le90": (-math.pi / 2, math.pi), "le135":
 
 
 def norm_angle(angle: Tensor, angle_range: str) -> Tensor:
-    """Returns angles in the range of a version, in radians: [-pi/2, pi/2) of le90, [-pi/4, 3pi/4) of le135, any of oc."""
+    """Returns angles in the range of a version: [-pi/2, pi/2) for le90, [-pi/4, 3pi/4) for le135, as they are for oc."""
     _one_of("angle_range", angle_range, tuple(_VERSIONS))
     low, period = _VERSIONS[angle_range]
     return angle if angle_range == "oc" else (angle - low) % period + low
