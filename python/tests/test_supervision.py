@@ -92,7 +92,7 @@ def test_oriented_overlaps_are_those_of_polygons():
 def test_suppression_is_supervisions(sv, metric, threshold):
     draw = np.random.default_rng(4)
     both = sv.detection.utils.iou_and_nms
-    for count, columns in ((0, 5), (1, 6), (120, 5), (120, 6)):
+    for count, columns in ((0, 5), (1, 6), (120, 5), (120, 6), (300, 6)):
         rows = np.c_[upright(count, 3), draw.integers(0, 30, count) / 30, draw.integers(0, 4, count)][:, :columns]
         expected = sv.box_non_max_suppression(rows, threshold, sv.OverlapMetric(metric))
         found = ours.box_non_max_suppression(rows, threshold, metric)

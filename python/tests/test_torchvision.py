@@ -259,7 +259,7 @@ def test_suppression_is_torchvisions(ops, threshold):
         # Ties of scores, too.
         scores = torch.tensor(draw.integers(0, 40, count) / 40, dtype=torch.float32)
         classes = torch.tensor(draw.integers(-3, 4, count))
-        for name, more in (("nms", ()), ("batched_nms", (classes,))):
+        for name, more in (("nms", ()), ("batched_nms", (classes,)), ("batched_nms", (classes + 3,))):
             expected, found = [getattr(m, name)(a, scores, *more, threshold) for m in (ops, ours)]
             assert found.dtype == torch.int64 and found.tolist() == expected.tolist()
 

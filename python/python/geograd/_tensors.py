@@ -70,7 +70,10 @@ class Score:
 
     def suppressed(self, boxes: Tensor, scores: Tensor, overlap: float, classes: Optional[Tensor] = None) -> Tensor:
         """The places of boxes that no better one overlaps by more than a threshold, the best first."""
-        of = None if classes is None else np.unique(array(classes), return_inverse=True)[1].reshape(-1).astype(np.int64)
+        of = None if classes is None else array(classes)
+        # The library takes whole numbers of 32 bits.
+        if of is not None and (of.dtype.kind not in "iu" or of.min(initial=0) < 0 or of.max(initial=0) >= 2**32):
+            of = np.unique(of, return_inverse=True)[1].reshape(-1)
         kept = self._f.suppress(array(boxes), array(scores), float(overlap), classes=of, **self._kind)
         return like(np.asarray(kept, np.int64), boxes)
 
@@ -166,13 +169,13 @@ class _Pairs(torch.autograd.Function):
             return (None, *_again(ctx, lambda a, b: ctx.score._exact(a.unsqueeze(-2), b.unsqueeze(-3)), bar))
         if bar.numel() == 0:
             return None, torch.zeros_like(a), torch.zeros_like(b)
+        if a.dim() == 2 and b.dim() == 2:
+            by_a, by_b = ctx.score.matrix_vjp(array(a), array(b), array(bar))
+            return None, like(by_a, a), like(by_b, b)
         lead = bar.shape[:-2]
-        by_a, by_b = [], []
-        for x, y, up in zip(_apart(a, lead), _apart(b, lead), bar.reshape(-1, *bar.shape[-2:])):
-            grads = ctx.score.matrix_vjp(array(x), array(y), array(up))
-            by_a.append(like(grads[0], a))
-            by_b.append(like(grads[1], b))
-        by = [torch.stack(own).reshape(*lead, *x.shape[-2:]) for own, x in ((by_a, a), (by_b, b))]
+        lists = zip(_apart(a, lead), _apart(b, lead), bar.reshape(-1, *bar.shape[-2:]))
+        grads = [ctx.score.matrix_vjp(array(x), array(y), array(up)) for x, y, up in lists]
+        by = [torch.stack([like(g[k], x) for g in grads]).reshape(*lead, *x.shape[-2:]) for k, x in enumerate((a, b))]
         return None, by[0].sum_to_size(a.shape), by[1].sum_to_size(b.shape)
 
 

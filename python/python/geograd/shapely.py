@@ -104,14 +104,16 @@ def rings(x: Any) -> geograd.Rings:
         return geograd.Rings(np.zeros((0, 2)), np.zeros(1, np.int64))
     many = shapely.get_num_geometries(found) > 1
     # A collection of one polygon is that polygon.
-    found = np.where(shapely.get_type_id(found) == _POLYGONS, shapely.get_geometry(found, 0), found)
+    alone = shapely.get_type_id(found) == _POLYGONS
+    found[alone] = shapely.get_geometry(found[alone], 0)
     holes = shapely.get_num_interior_rings(found) > 0
     for bad, what in ((many, "several parts"), (holes, "holes")):
         if bad.any():
             row = int(np.flatnonzero(bad)[0])
             raise ValueError(f"geometry {row} has {what}: all_rings gives the rings of such polygons, with their rows")
-    lines = np.where(shapely.get_type_id(found) == _POLYGON, shapely.get_exterior_ring(found), found)
-    return geograd.Rings(*_joined(lines, closed=True))
+    of_polygon = shapely.get_type_id(found) == _POLYGON
+    found[of_polygon] = shapely.get_exterior_ring(found[of_polygon])
+    return geograd.Rings(*_joined(found, closed=True))
 
 
 def all_rings(x: Any) -> Tuple[geograd.Rings, Array]:

@@ -45,6 +45,10 @@ __all__ = [
 Array = NDArray[Any]
 
 
+#: So many shapes of all classes are compared at once.
+_FEW = 256
+
+
 def _by_union(metric: Any) -> bool:
     """Whether overlaps are over the union, or over the smaller box: supervision's names, or its enumeration."""
     name = str(getattr(metric, "value", metric)).upper()
@@ -141,9 +145,10 @@ def _best_first(predictions: Array, threshold: float) -> tuple[Array, Array]:
 def _kept(order: Array, classes: Array, threshold: float, matrix: Callable[[Array], Array]) -> NDArray[np.bool_]:
     """Which shapes stay: of a class, the best first, one goes that overlaps a kept one by more than the threshold."""
     keep = np.zeros(len(order), bool)
-    for own in np.unique(classes):
-        places = order[classes[order] == own]
-        over = matrix(places) > threshold
+    # One call for a few shapes, less memory for many.
+    groups = [order] if len(order) <= _FEW else [order[classes[order] == own] for own in np.unique(classes)]
+    for places in groups:
+        over = (matrix(places) > threshold) & (classes[places][:, None] == classes[places])
         alive = np.ones(len(places), bool)
         for i in range(len(places)):
             if alive[i]:

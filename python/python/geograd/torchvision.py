@@ -195,11 +195,13 @@ def _ready(boxes1: Tensor, boxes2: Tensor, fmt: str) -> Tuple[Tensor, Tensor, to
     dtypes = (boxes1.dtype, boxes2.dtype)
     result = torch.float64 if torch.float64 in dtypes else torch.float32
     inner = result if all(dtype.is_floating_point for dtype in dtypes) else torch.float64
-    made = []
-    for boxes in (boxes1, boxes2):
-        boxes = boxes if boxes.dtype == inner else boxes.to(inner)
-        made.append(_obb2(boxes, fmt) if fmt in _ROTATED else _to_corners(boxes, fmt))
-    return made[0], made[1], result
+    return _shaped(boxes1, fmt, inner), _shaped(boxes2, fmt, inner), result
+
+
+def _shaped(boxes: Tensor, fmt: str, dtype: torch.dtype) -> Tensor:
+    """Boxes as corners or as Obb2."""
+    boxes = boxes if boxes.dtype == dtype else boxes.to(dtype)
+    return _obb2(boxes, fmt) if fmt in _ROTATED else _to_corners(boxes, fmt)
 
 
 def _obb2(boxes: Tensor, fmt: str) -> Tensor:
@@ -326,9 +328,9 @@ def _suppressed(boxes: Tensor, scores: Tensor, classes: Any, threshold: float, f
         raise RuntimeError(f"`boxes`: a tensor of shape (N, {_WIDTHS[fmt]}) is needed, not {tuple(boxes.shape)}")
     if scores.dim() != 1 or len(scores) != len(boxes):
         raise RuntimeError(f"`scores`: a tensor of shape ({len(boxes)},) is needed, not {tuple(scores.shape)}")
-    a, _, _ = _ready(boxes.detach(), boxes.detach(), fmt)
+    dtype = torch.float32 if boxes.dtype in (torch.float16, torch.bfloat16, torch.float32) else torch.float64
     score = _rotated("iou") if fmt in _ROTATED else _upright()
-    return score.suppressed(a, scores.to(torch.float64), threshold, classes)
+    return score.suppressed(_shaped(boxes.detach(), fmt, dtype), scores.to(torch.float64), threshold, classes)
 
 
 @kept()
