@@ -309,6 +309,8 @@ def test_errors(ops):
     flipped = torch.tensor([[0.0, 0, 1, 1, 0], [0, 0, -1, 1, 0]])
     with pytest.raises(ValueError, match="item 1: width is negative"):
         ours.box_iou(flipped, flipped, fmt="cxcywhr")
+    with pytest.raises(ValueError, match="`boxes2` item 2: .* is not a finite number"):
+        ours.box_iou(a, torch.where(torch.arange(3)[:, None] == 2, torch.nan, a))
     # Upright boxes with sides below zero are computed as torchvision computes them.
     bad = torch.tensor([[4.0, 0, 1, 1], [0, 0, 2, 2]])
     found, expected = [m.generalized_box_iou_loss(bad, bad.flip(0)) for m in (ours, ops)]

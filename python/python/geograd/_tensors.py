@@ -1,4 +1,4 @@
-"""Scores of two boxes on tensors, item by item and of all pairs, with gradients: for stand-ins for torch's libraries."""
+"""Scores of two boxes on tensors, item by item and of all pairs, with gradients: for stand-ins of torch libraries."""
 
 from __future__ import annotations
 

@@ -26,7 +26,7 @@ Differences from MMRotate
     * Distances of Gaussians keep 1e-7 as the least number under the root of the distance. Floors inside, which change
       the loss of boxes smaller than 0.3, are left out.
     * :class:`GDLoss_v1` takes calls without ``weight``, and reduces.
-    * Boxes with NaN raise a ValueError that names the row.
+    * NaN and infinite numbers raise a ValueError that names the row.
 """
 
 from __future__ import annotations
@@ -107,6 +107,16 @@ class _Gaussians(_Boxes):
 _KINDS: Dict[str, Callable[[float], _Boxes]] = {"xy_wh_r": _Boxes, "xy_stddev_pearson": _Gaussians}
 
 
+def _sized(p: Any) -> Any:
+    """A box with sides between 1e-7 and 1e7."""
+    return [p[0], p[1], geograd.clip(p[2], 1e-7, 1e7), geograd.clip(p[3], 1e-7, 1e7), p[4]]
+
+
+def _correlated(p: Any) -> Any:
+    """A Gaussian whose correlation is below 1."""
+    return [*p[:4], geograd.clip(p[4], 1e-7 - 1, 1 - 1e-7)]
+
+
 def _root(x: Any) -> Any:
     return geograd.sqrt(geograd.maximum(x, _LEAST))
 
@@ -151,8 +161,9 @@ def _distance_loss(kind: str, loss: str, fun: str, tau: float, alpha: float, own
         both = rooted(of.divergence(p, t)), rooted(of.divergence(t, p))
         return geograd.maximum(*both) if loss == "kld_symmax" else geograd.minimum(*both)
 
-    @numbers(5, 5)
+    @numbers(pred=5, target=5)
     def gaussian_loss(p: Any, t: Any) -> Any:
+        p, t = (_sized(p), _sized(t)) if kind == "xy_wh_r" else (_correlated(p), _correlated(t))
         return _shaped(distance(p, t), fun, tau)
 
     return Score(gaussian_loss)
@@ -162,8 +173,9 @@ def _distance_loss(kind: str, loss: str, fun: str, tau: float, alpha: float, own
 def _first_loss(loss: str, fun: str, tau: float) -> Score:
     of = _Boxes(1.0)
 
-    @numbers(5, 5)
+    @numbers(pred=5, target=5)
     def gaussian_loss_v1(p: Any, t: Any) -> Any:
+        p, t = _sized(p), _sized(t)
         if loss == "gwd":
             distance = of.squared_wasserstein(p, t)
         elif loss == "kld":
@@ -184,8 +196,9 @@ def _first_loss(loss: str, fun: str, tau: float) -> Score:
 
 @kept("none", 1e-6)
 def _filtered(fun: str, eps: float) -> Score:
-    @numbers(5, 5)
+    @numbers(pred=5, target=5)
     def kfiou_loss(p: Any, t: Any) -> Any:
+        p, t = _sized(p), _sized(t)
         area_p, area_t = p[2] * p[3], t[2] * t[3]
         sin2 = geograd.sin(p[4] - t[4]) ** 2
         # The determinant of the sum of both covariances, times 16: a sum of products.
@@ -200,18 +213,22 @@ def _filtered(fun: str, eps: float) -> Score:
     return Score(kfiou_loss)
 
 
-@kept()
-def _iou() -> Score:
-    return Score(geograd.iou, "Obb2")
+@kept("log", 1e-6)
+def _iou_loss(mode: str, eps: float) -> Score:
+    @numbers(pred=5, target=5)
+    def rotated_iou_loss(p: Any, t: Any) -> Any:
+        # A negative side has no area, and its IoU no gradient.
+        made = [geograd.Obb2(x[0], x[1], geograd.maximum(x[2], 0.0), geograd.maximum(x[3], 0.0), x[4]) for x in (p, t)]
+        iou = geograd.maximum(geograd.iou(*made), eps)
+        if mode == "linear":
+            return 1 - iou
+        return 1 - iou * iou if mode == "square" else -geograd.log(iou)
+
+    return Score(rotated_iou_loss)
 
 
 def _floating(x: Tensor) -> Tensor:
     return x if x.dtype in (torch.float32, torch.float64) else x.float()
-
-
-def _sized(boxes: Tensor) -> Tensor:
-    """Boxes with sides between 1e-7 and 1e7."""
-    return torch.cat([boxes[..., :2], boxes[..., 2:4].clamp(1e-7, 1e7), boxes[..., 4:]], -1)
 
 
 class _Weighted(nn.Module):
@@ -302,19 +319,11 @@ class RotatedIoULoss(_OfBoxes):
 
     def _loss(self, pred: Tensor, target: Tensor, options: Dict[str, Any]) -> Tensor:
         mode, eps = options.get("mode", self.mode), options.get("eps", self.eps)
-        # A negative side has no area, and its IoU no gradient.
-        iou = _iou().aligned(_sided(pred), _sided(target)).clamp(min=eps)
-        if mode == "linear":
-            return 1 - iou
-        return 1 - iou**2 if mode == "square" else -iou.log()
+        _one_of("mode", mode, ("linear", "square", "log"))
+        return _iou_loss(mode, float(eps)).aligned(pred, target)
 
     def _options(self) -> Dict[str, Any]:
         return {"mode": self.mode, "eps": self.eps}
-
-
-def _sided(boxes: Tensor) -> Tensor:
-    """Boxes without negative sides."""
-    return torch.cat([boxes[..., :2], boxes[..., 2:4].clamp(min=0), boxes[..., 4:]], -1)
 
 
 class GDLoss(_OfBoxes):
@@ -341,10 +350,9 @@ class GDLoss(_OfBoxes):
         own = bool({**self.kwargs, **options}.get("normalize" if self.loss_type == "gwd" else "sqrt", True))
         score = _distance_loss(self.representation, self.loss_type, self.fun, float(self.tau), float(self.alpha), own)
         if self.representation == "xy_wh_r":
-            return score.aligned(_sized(pred), _sized(target))
+            return score.aligned(pred, target)
         # Its formulas subtract: float32 would show.
-        pair = [torch.cat([x[..., :4], x[..., 4:].clamp(1e-7 - 1, 1 - 1e-7)], -1).double() for x in (pred, target)]
-        return score.aligned(pair[0], pair[1]).to(pred.dtype)
+        return score.aligned(pred.double(), target.double()).to(pred.dtype)
 
     def _options(self) -> Dict[str, Any]:
         own = {"representation": self.representation, "fun": self.fun, "tau": self.tau, "alpha": self.alpha}
@@ -368,7 +376,7 @@ class GDLoss_v1(_OfBoxes):
         self.loss_type, self.fun, self.tau, self.kwargs = loss_type, fun, tau, dict(kwargs)
 
     def _loss(self, pred: Tensor, target: Tensor, options: Dict[str, Any]) -> Tensor:
-        return _first_loss(self.loss_type, self.fun, float(self.tau)).aligned(_sized(pred), _sized(target))
+        return _first_loss(self.loss_type, self.fun, float(self.tau)).aligned(pred, target)
 
     def _options(self) -> Dict[str, Any]:
         return {"loss_type": self.loss_type, "fun": self.fun, "tau": self.tau}
@@ -400,7 +408,7 @@ class KFLoss(_Weighted):
         boxes = [x if own is None else own for own, x in decoded]
         beta, eps = options.get("beta", 1 / 9), float(options.get("eps", 1e-6))
         offset = nn.functional.smooth_l1_loss(pred[:, :2], target[:, :2], reduction="none", beta=beta).sum(-1)
-        score = _filtered(self.fun, eps).aligned(*[_sized(_floating(x)) for x in boxes])
+        score = _filtered(self.fun, eps).aligned(*[_floating(x) for x in boxes])
         return (offset + score).clamp(0)
 
     def _options(self) -> Dict[str, Any]:
@@ -411,7 +419,7 @@ _VERSIONS = {"oc": (0.0, math.pi / 2), "le90": (-math.pi / 2, math.pi), "le135":
 
 
 def norm_angle(angle: Tensor, angle_range: str) -> Tensor:
-    """Returns angles in the range of a version: [-pi/2, pi/2) for le90, [-pi/4, 3pi/4) for le135, as they are for oc."""
+    """Returns angles in the range of a version: [-pi/2, pi/2) for le90, [-pi/4, 3pi/4) for le135, any for oc."""
     _one_of("angle_range", angle_range, tuple(_VERSIONS))
     low, period = _VERSIONS[angle_range]
     return angle if angle_range == "oc" else (angle - low) % period + low

@@ -26,6 +26,8 @@ from numpy.typing import NDArray
 
 import geograd
 
+from . import _outlines
+
 __all__ = [
     "all_rings", "boxes", "geometries", "minimum_boxes", "points", "polylines", "rings", "segments", "series",
     "upright_boxes",
@@ -83,12 +85,8 @@ def _joined(lines: Array, closed: bool, has_z: bool = False) -> Tuple[Array, Arr
     """The vertices of lines one after another, and their offsets; of closed ones without the last vertex."""
     counts = shapely.get_num_coordinates(lines) if len(lines) else np.zeros(0, np.int64)
     vertices = shapely.get_coordinates(lines, include_z=has_z).reshape(-1, 3 if has_z else 2)
-    ends = np.cumsum(counts)
-    if closed:
-        keep = np.ones(len(vertices), bool)
-        keep[ends - 1] = False
-        vertices, ends = vertices[keep], ends - np.arange(1, len(ends) + 1)
-    return vertices, np.concatenate([[0], ends]).astype(np.int64)
+    offsets = np.concatenate([[0], np.cumsum(counts)]).astype(np.int64)
+    return _outlines.opened(vertices, offsets) if closed else (vertices, offsets)
 
 
 def polylines(x: Any) -> geograd.Polylines:
@@ -128,9 +126,7 @@ def all_rings(x: Any) -> Tuple[geograd.Rings, Array]:
     lines, part = shapely.get_rings(parts, return_index=True)
     # The first ring of a part is the outer one.
     is_outer = np.diff(part, prepend=-1) > 0
-    wrong = shapely.is_ccw(lines) != is_outer
-    lines[wrong] = shapely.reverse(lines[wrong])
-    return geograd.Rings(*_joined(lines, closed=True)), of[part].astype(np.int64)
+    return _outlines.turned(geograd.Rings(*_joined(lines, closed=True)), is_outer), of[part].astype(np.int64)
 
 
 def upright_boxes(x: Any) -> Any:
@@ -207,12 +203,8 @@ def geometries(shapes: Any) -> Array:
         made = shapely.points(rows)
     elif kind in ("Segment2", "Segment3"):
         made = shapely.linestrings(rows.reshape(len(rows), 2, rows.shape[1] // 2))
-    elif kind == "Aabb2":
-        made = shapely.box(*rows.T)
-    elif kind in ("Triangle2", "Vec2x4"):
-        made = shapely.polygons(rows.reshape(len(rows), rows.shape[1] // 2, 2))
-    elif kind == "Obb2":
-        made = shapely.polygons(np.asarray(geograd.corners(geograd.Obb2(rows)).array).reshape(-1, 4, 2))
+    elif (corners := _outlines.corners(shapes)) is not None:
+        made = shapely.polygons(corners)
     else:
         known = "Vec2, Vec3, Segment2, Segment3, Aabb2, Obb2, Triangle2, Vec2x4 and paths"
         raise TypeError(f"{kind} has no geometry: {known} have")
@@ -221,23 +213,18 @@ def geometries(shapes: Any) -> Array:
 
 
 def _of_paths(paths: geograd.Paths) -> Array:
-    vertices, offsets = np.asarray(paths.vertices, np.float64), np.asarray(paths.offsets, np.int64)
     if isinstance(paths, geograd.Rings):
-        counts = np.diff(offsets)
-        if (counts < 3).any():
-            row = int(np.flatnonzero(counts < 3)[0])
-            raise ValueError(f"ring {row} has {counts[row]} vertices, and a polygon of shapely at least 3")
-        # The first vertex again after the last of each ring.
-        places = np.insert(np.arange(len(vertices)), offsets[1:], offsets[:-1])
-        offsets = offsets + np.arange(len(offsets))
-        whole = (offsets, np.arange(len(offsets)))
-        made = shapely.from_ragged_array(shapely.GeometryType.POLYGON, vertices[places], whole)
-    elif isinstance(paths, geograd.Polylines):
+        vertices, offsets = _outlines.closed(paths)
+        made = shapely.from_ragged_array(shapely.GeometryType.POLYGON, vertices, (offsets, np.arange(len(offsets))))
+        found: Array = made
+        return found
+    vertices, offsets = np.asarray(paths.vertices, np.float64), np.asarray(paths.offsets, np.int64)
+    if isinstance(paths, geograd.Polylines):
         made = shapely.from_ragged_array(shapely.GeometryType.LINESTRING, vertices, (offsets,))
     else:
         made = shapely.from_ragged_array(shapely.GeometryType.MULTIPOINT, vertices, (offsets,))
-    found: Array = made
-    return found
+    lines: Array = made
+    return lines
 
 
 def series(shapes: Any, index: Any = None, crs: Optional[Any] = None) -> Any:

@@ -18,8 +18,8 @@ matrices, trackers.
 
 Differences from supervision
     * Overlaps of oriented boxes are those of float64, where supervision's are float32.
-    * A quadrilateral that is not convex or not finite raises a ValueError that names the row. One that is thinner than
-      the rounding of its corners has no area: it overlaps nothing.
+    * A box that is not finite or a quadrilateral that is not convex raises a ValueError that names the row. One that is
+      thinner than the rounding of its corners has no area: it overlaps nothing.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ def _by_union(metric: Any) -> bool:
 
 @functools.lru_cache(maxsize=None)
 def _upright(by_union: bool) -> geograd.Function:
-    @numbers(4, 4)
+    @numbers(boxes_true=4, boxes_detection=4)
     def box_iou_batch(a: Any, b: Any) -> Any:
         width = geograd.maximum(geograd.minimum(a[2], b[2]) - geograd.maximum(a[0], b[0]), 0.0)
         height = geograd.maximum(geograd.minimum(a[3], b[3]) - geograd.maximum(a[1], b[1]), 0.0)

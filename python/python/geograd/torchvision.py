@@ -25,8 +25,8 @@ Differences from torchvision
       for boxes apart whose sides are below 0.01.
     * Every function takes ``fmt``, leading axes and rotated boxes, with gradients. Rotated GIoU, DIoU and CIoU measure
       by the convex hull of both boxes and ignore ``eps``.
-    * Rotated boxes that are no boxes (negative sizes, NaN) raise a ValueError that names the row, and so do all in
-      ``nms``. Upright ones of other functions compute as in torchvision, NaN for two empty boxes included.
+    * NaN and infinite numbers raise a ValueError that names the row, and so do negative sizes of rotated boxes and in
+      ``nms``. Upright boxes of negative sizes compute as in torchvision elsewhere, and two empty ones give NaN.
     * At a tie, such as touching edges, both sides share the derivative.
     * ``batched_nms`` compares boxes of one class where they are. torchvision shifts the classes apart, which rounds,
       and joins classes again where all coordinates are negative.
@@ -85,7 +85,7 @@ def _aspect(a: Any, b: Any) -> Any:
 
 @kept()
 def _iou() -> Score:
-    @numbers(4, 4)
+    @numbers(boxes1=4, boxes2=4)
     def box_iou(a: Any, b: Any) -> Any:
         shared, union = _overlap(a, b)
         return shared / union
@@ -95,7 +95,7 @@ def _iou() -> Score:
 
 @kept()
 def _giou() -> Score:
-    @numbers(4, 4)
+    @numbers(boxes1=4, boxes2=4)
     def generalized_box_iou(a: Any, b: Any) -> Any:
         shared, union = _overlap(a, b)
         width, height = _around(a, b)
@@ -107,7 +107,7 @@ def _giou() -> Score:
 
 @kept(1e-7)
 def _diou(eps: float) -> Score:
-    @numbers(4, 4)
+    @numbers(boxes1=4, boxes2=4)
     def distance_box_iou(a: Any, b: Any) -> Any:
         shared, union = _overlap(a, b)
         return shared / union - _apart(a, b, eps)
@@ -117,7 +117,7 @@ def _diou(eps: float) -> Score:
 
 @kept(1e-7)
 def _ciou(eps: float) -> Score:
-    @numbers(5, 5)
+    @numbers(boxes1=5, boxes2=5)
     def complete_box_iou(a: Any, b: Any) -> Any:
         shared, union = _overlap(a, b)
         iou = shared / union
@@ -130,7 +130,7 @@ def _ciou(eps: float) -> Score:
 
 @kept(1e-7)
 def _giou_loss(eps: float) -> Score:
-    @numbers(4, 4)
+    @numbers(boxes1=4, boxes2=4)
     def generalized_box_iou_loss(a: Any, b: Any) -> Any:
         shared, union = _overlap(a, b)
         width, height = _around(a, b)
@@ -141,7 +141,7 @@ def _giou_loss(eps: float) -> Score:
 
 @kept(1e-7)
 def _diou_loss(eps: float) -> Score:
-    @numbers(4, 4)
+    @numbers(boxes1=4, boxes2=4)
     def distance_box_iou_loss(a: Any, b: Any) -> Any:
         shared, union = _overlap(a, b)
         return 1 - shared / (union + eps) + _apart(a, b, eps)
@@ -151,7 +151,7 @@ def _diou_loss(eps: float) -> Score:
 
 @kept(1e-7)
 def _weight(eps: float) -> Score:
-    @numbers(4, 4)
+    @numbers(boxes1=4, boxes2=4)
     def weight(a: Any, b: Any) -> Any:
         shared, union = _overlap(a, b)
         aspect = _aspect(a, b)
@@ -162,7 +162,7 @@ def _weight(eps: float) -> Score:
 
 @kept()
 def _ciou_loss() -> Score:
-    @numbers(4, 4, 0)
+    @numbers(boxes1=4, boxes2=4, weight=0)
     def complete_box_iou_loss(a: Any, b: Any, weight: Any) -> Any:
         shared, union = _overlap(a, b)
         # torchvision's `eps` is that of the weight alone.

@@ -16,7 +16,8 @@ that calls Ultralytics' own validator or tracker, and ``TorchNMS.fast_nms(boxes,
 iou_func=batch_iou)`` suppresses by it.
 
 Differences from Ultralytics
-    * ``batch_iou`` and ``nms`` raise a ValueError that names the row for negative sizes and NaN.
+    * NaN and infinite numbers raise a ValueError that names the row; in ``iou``, ``batch_iou`` and ``nms`` negative
+      sizes do, too.
     * ``probiou`` and ``batch_probiou`` have Ultralytics' ``eps`` and ``floor``, and other roundings: determinants are
       products of sizes, where Ultralytics subtracts numbers that are nearly equal for thin boxes.
     * ``nms`` is greedy. Ultralytics' ``fast_nms`` lets suppressed boxes suppress others.
@@ -90,7 +91,7 @@ def _probiou(a: Any, b: Any, turned_a: Tuple[Any, Any], turned_b: Tuple[Any, Any
 
 @kept(1e-7, 0.0)
 def _aligned(eps: float, floor: float) -> Score:
-    @numbers(5, 5)
+    @numbers(obb1=5, obb2=5)
     def probiou(a: Any, b: Any) -> Any:
         turned = [(geograd.cos(x[4]), geograd.sin(x[4])) for x in (a, b)]
         return _probiou(a, b, turned[0], turned[1], eps, floor)
@@ -100,7 +101,7 @@ def _aligned(eps: float, floor: float) -> Score:
 
 @kept(1e-7)
 def _of_pairs(eps: float) -> Score:
-    @numbers(6, 6)
+    @numbers(obb1=6, obb2=6)
     def batch_probiou(a: Any, b: Any) -> Any:
         return _probiou(a, b, (a[4], a[5]), (b[4], b[5]), eps, 0.0)
 
@@ -109,7 +110,7 @@ def _of_pairs(eps: float) -> Score:
 
 @kept()
 def _aspect() -> Score:
-    @numbers(5, 5)
+    @numbers(obb1=5, obb2=5)
     def aspect(a: Any, b: Any) -> Any:
         turn = [geograd.arctan2(x[2] / x[3], 1.0) for x in (a, b)]
         return 4 / math.pi**2 * (turn[0] - turn[1]) ** 2
