@@ -16,7 +16,7 @@ MODULES = {
     "ultralytics": "torch",
 }
 PACKAGE = pathlib.Path(geograd.__file__).parent
-OWN = [*MODULES, "_outlines", "_recorded", "_tensors"]
+OWN = [*MODULES, "_angle_versions", "_outlines", "_recorded", "_tensors"]
 
 
 @pytest.mark.parametrize("name", MODULES)
@@ -44,7 +44,8 @@ def test_types_are_strict():
     pytest.importorskip("mypy", reason="mypy is not installed: types are not checked")
     modules = [part for name in OWN for part in ("-m", f"geograd.{name}")]
     options = ["--strict", "--follow-imports=silent", "--cache-dir", "/dev/null"]
-    done = subprocess.run([sys.executable, "-m", "mypy", *options, *modules], capture_output=True, text=True, cwd=PACKAGE.parent)
+    command = [sys.executable, "-m", "mypy", *options, *modules]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=PACKAGE.parent)
     assert re.search(r"Success|Found \d+ error", done.stdout), done.stdout + done.stderr
     files = tuple(str(pathlib.Path("geograd") / f"{name}.py") for name in OWN)
     assert not [line for line in done.stdout.splitlines() if line.startswith(files)]

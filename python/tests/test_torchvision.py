@@ -234,6 +234,12 @@ def test_second_derivatives_and_torch_func(ops):
     one = lambda a, b: ours.generalized_box_iou_loss(a, b)
     expected = torch.autograd.grad(ops.generalized_box_iou_loss(a, b).sum(), a)[0]
     torch.testing.assert_close(torch.func.vmap(torch.func.grad(one))(a.detach(), b.detach()), expected)
+    direction = torch.rand(3, 4, dtype=torch.float64)
+    _, along = torch.func.jvp(one, (a.detach(), b.detach()), (direction, torch.zeros_like(b)))
+    torch.testing.assert_close(along.sum(), (expected * direction).sum())
+    with torch.autograd.forward_ad.dual_level():
+        found = one(torch.autograd.forward_ad.make_dual(a.detach(), direction), b.detach())
+        torch.testing.assert_close(torch.autograd.forward_ad.unpack_dual(found).tangent, along)
     turned = [boxes(3, seed, turned=True).requires_grad_() for seed in (1, 2)]
     assert torch.autograd.gradgradcheck(lambda a, b: ours.box_iou(a, b, fmt="cxcywhr"), turned, atol=1e-5)
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Optional, Sequence, Tuple
+from typing import Any, Callable, List, Optional, Sequence, Tuple
 
 import numpy as np
 import torch
 from numpy.typing import NDArray
 from torch import Tensor
+from torch.autograd import forward_ad
 
 import geograd.torch as _torch
 
@@ -33,7 +34,13 @@ def like(x: Array, tensor: Tensor) -> Tensor:
 
 def _transformed() -> bool:
     """Whether a compiler or ``torch.func`` looks on, for which the operators of ``geograd.torch`` have rules."""
-    return torch.compiler.is_compiling() or bool(getattr(torch._C, "_are_functorch_transforms_active", lambda: True)())
+    if torch.compiler.is_compiling() or getattr(forward_ad, "_current_level", 0) >= 0:
+        return True
+    return bool(getattr(torch._C, "_are_functorch_transforms_active", lambda: True)())
+
+
+def _wants_gradient(*xs: Tensor) -> bool:
+    return torch.is_grad_enabled() and any(x.requires_grad for x in xs)
 
 
 class Score:
@@ -58,6 +65,8 @@ class Score:
         """Item i of both, of shape (..., k): a tensor of shape (...)."""
         if _transformed():
             return self._exact(*xs)
+        if not _wants_gradient(*xs):
+            return _aligned(self, xs, False)[0]
         found: Tensor = _Aligned.apply(self, *xs)
         return found
 
@@ -65,6 +74,8 @@ class Score:
         """Every box of (..., N, k) with every one of (..., M, k): a tensor of shape (..., N, M)."""
         if _transformed():
             return self._exact(a.unsqueeze(-2), b.unsqueeze(-3))
+        if not _wants_gradient(a, b):
+            return _pairs(self, a, b)
         found: Tensor = _Pairs.apply(self, a, b)
         return found
 
@@ -115,20 +126,10 @@ class _Aligned(torch.autograd.Function):
 
     @staticmethod
     def forward(ctx: Any, score: Score, *xs: Tensor) -> Tensor:
-        first = xs[0]
-        lead = first.shape if first.dim() < 1 else first.shape[:-1]
         ctx.score = score
         ctx.save_for_backward(*xs)
-        ctx.grads = None
-        arrays = [array(x) for x in xs]
-        if 0 in lead:
-            return first.new_zeros(lead)
-        if any(ctx.needs_input_grad):
-            value, grads = score.value_grad(arrays)
-            ctx.grads = [like(np.asarray(grad), first) for grad in grads]
-        else:
-            value = score.value(arrays)
-        return like(np.asarray(value), first).reshape(lead)
+        value, ctx.grads = _aligned(score, xs, True)
+        return value
 
     @staticmethod
     def backward(ctx: Any, *bars: Tensor) -> Any:
@@ -153,13 +154,7 @@ class _Pairs(torch.autograd.Function):
     def forward(ctx: Any, score: Score, a: Tensor, b: Tensor) -> Tensor:
         ctx.score = score
         ctx.save_for_backward(a, b)
-        if a.dim() == 2 and b.dim() == 2:
-            return like(score.matrix(array(a), array(b)), a)
-        lead = np.broadcast_shapes(tuple(a.shape[:-2]), tuple(b.shape[:-2]))
-        size = (*lead, a.shape[-2], b.shape[-2])
-        rows, columns = _apart(a, lead), _apart(b, lead)
-        found = [like(score.matrix(array(x), array(y)), a) for x, y in zip(rows, columns)]
-        return torch.stack(found).reshape(size) if found else a.new_zeros(size)
+        return _pairs(score, a, b)
 
     @staticmethod
     def backward(ctx: Any, *bars: Tensor) -> Any:
@@ -177,6 +172,29 @@ class _Pairs(torch.autograd.Function):
         grads = [ctx.score.matrix_vjp(array(x), array(y), array(up)) for x, y, up in lists]
         by = [torch.stack([like(g[k], x) for g in grads]).reshape(*lead, *x.shape[-2:]) for k, x in enumerate((a, b))]
         return None, by[0].sum_to_size(a.shape), by[1].sum_to_size(b.shape)
+
+
+def _aligned(score: Score, xs: Sequence[Tensor], with_grads: bool) -> Tuple[Tensor, Optional[List[Tensor]]]:
+    """The values of all items, and their gradients where they are wanted."""
+    first = xs[0]
+    lead = first.shape[:-1]
+    if 0 in lead:
+        return first.new_zeros(lead), None
+    arrays = [array(x) for x in xs]
+    if not with_grads:
+        return like(np.asarray(score.value(arrays)), first).reshape(lead), None
+    value, grads = score.value_grad(arrays)
+    return like(np.asarray(value), first).reshape(lead), [like(np.asarray(grad), first) for grad in grads]
+
+
+def _pairs(score: Score, a: Tensor, b: Tensor) -> Tensor:
+    """The matrices of all pairs of lists."""
+    if a.dim() == 2 and b.dim() == 2:
+        return like(score.matrix(array(a), array(b)), a)
+    lead = np.broadcast_shapes(tuple(a.shape[:-2]), tuple(b.shape[:-2]))
+    size = (*lead, a.shape[-2], b.shape[-2])
+    found = [like(score.matrix(array(x), array(y)), a) for x, y in zip(_apart(a, lead), _apart(b, lead))]
+    return torch.stack(found).reshape(size) if found else a.new_zeros(size)
 
 
 def _apart(x: Tensor, lead: Sequence[int]) -> Tensor:

@@ -31,7 +31,6 @@ Differences from MMRotate
 
 from __future__ import annotations
 
-import math
 from typing import Any, Callable, Dict, Optional, Tuple
 
 import torch
@@ -39,6 +38,7 @@ from torch import Tensor, nn
 
 import geograd
 
+from ._angle_versions import norm_angle, obb2poly, obb2xyxy, one_of, poly2obb, regular
 from ._tensors import Score, kept, numbers
 
 __all__ = [
@@ -236,7 +236,7 @@ class _Weighted(nn.Module):
 
     def __init__(self, reduction: str, loss_weight: float) -> None:
         super().__init__()
-        _one_of("reduction", reduction, ("none", "mean", "sum"))
+        one_of("reduction", reduction, ("none", "mean", "sum"))
         self.reduction, self.loss_weight = reduction, loss_weight
 
     def _loss(self, pred: Tensor, target: Tensor, options: Dict[str, Any]) -> Tensor:
@@ -247,7 +247,7 @@ class _Weighted(nn.Module):
         reduction_override: Optional[str], options: Dict[str, Any],
     ) -> Tensor:
         if reduction_override is not None:
-            _one_of("reduction_override", reduction_override, ("none", "mean", "sum"))
+            one_of("reduction_override", reduction_override, ("none", "mean", "sum"))
         reduction = reduction_override or self.reduction
         for name, boxes in (("pred", pred), ("target", target)):
             if boxes.dim() != 2 or boxes.shape[1] != 5:
@@ -284,11 +284,6 @@ class _Weighted(nn.Module):
         return {}
 
 
-def _one_of(name: str, value: Any, known: Tuple[Any, ...]) -> None:
-    if value not in known:
-        raise ValueError(f"{name} is one of {', '.join(map(repr, known))}, not {value!r}")
-
-
 class _OfBoxes(_Weighted):
     """A loss of a list of boxes and one of targets."""
 
@@ -314,12 +309,12 @@ class RotatedIoULoss(_OfBoxes):
         mode: str = "log",
     ) -> None:
         super().__init__(reduction, loss_weight)
-        _one_of("mode", mode, ("linear", "square", "log"))
+        one_of("mode", mode, ("linear", "square", "log"))
         self.linear, self.eps, self.mode = linear, eps, "linear" if linear else mode
 
     def _loss(self, pred: Tensor, target: Tensor, options: Dict[str, Any]) -> Tensor:
         mode, eps = options.get("mode", self.mode), options.get("eps", self.eps)
-        _one_of("mode", mode, ("linear", "square", "log"))
+        one_of("mode", mode, ("linear", "square", "log"))
         return _iou_loss(mode, float(eps)).aligned(pred, target)
 
     def _options(self) -> Dict[str, Any]:
@@ -340,9 +335,9 @@ class GDLoss(_OfBoxes):
         reduction: str = "mean", loss_weight: float = 1.0, **kwargs: Any,
     ) -> None:
         super().__init__(reduction, loss_weight)
-        _one_of("loss_type", loss_type, ("gwd", "kld", "jd", "kld_symmax", "kld_symmin"))
-        _one_of("representation", representation, tuple(_KINDS))
-        _one_of("fun", fun, ("log1p", "none", "sqrt"))
+        one_of("loss_type", loss_type, ("gwd", "kld", "jd", "kld_symmax", "kld_symmin"))
+        one_of("representation", representation, tuple(_KINDS))
+        one_of("fun", fun, ("log1p", "none", "sqrt"))
         self.loss_type, self.representation, self.fun = loss_type, representation, fun
         self.tau, self.alpha, self.kwargs = tau, alpha, dict(kwargs)
 
@@ -371,8 +366,8 @@ class GDLoss_v1(_OfBoxes):
         **kwargs: Any,
     ) -> None:
         super().__init__(reduction, loss_weight)
-        _one_of("loss_type", loss_type, ("gwd", "kld", "bcd"))
-        _one_of("fun", fun, ("log1p", "sqrt", ""))
+        one_of("loss_type", loss_type, ("gwd", "kld", "bcd"))
+        one_of("fun", fun, ("log1p", "sqrt", ""))
         self.loss_type, self.fun, self.tau, self.kwargs = loss_type, fun, tau, dict(kwargs)
 
     def _loss(self, pred: Tensor, target: Tensor, options: Dict[str, Any]) -> Tensor:
@@ -391,7 +386,7 @@ class KFLoss(_Weighted):
 
     def __init__(self, fun: str = "none", reduction: str = "mean", loss_weight: float = 1.0, **kwargs: Any) -> None:
         super().__init__(reduction, loss_weight)
-        _one_of("fun", fun, ("none", "ln", "exp"))
+        one_of("fun", fun, ("none", "ln", "exp"))
         self.fun = fun
 
     def forward(
@@ -413,59 +408,3 @@ class KFLoss(_Weighted):
 
     def _options(self) -> Dict[str, Any]:
         return {"fun": self.fun}
-
-
-_VERSIONS = {"oc": (0.0, math.pi / 2), "le90": (-math.pi / 2, math.pi), "le135": (-math.pi / 4, math.pi)}
-
-
-def norm_angle(angle: Tensor, angle_range: str) -> Tensor:
-    """Returns angles in the range of a version: [-pi/2, pi/2) for le90, [-pi/4, 3pi/4) for le135, any for oc."""
-    _one_of("angle_range", angle_range, tuple(_VERSIONS))
-    low, period = _VERSIONS[angle_range]
-    return angle if angle_range == "oc" else (angle - low) % period + low
-
-
-def regular(boxes: Tensor, version: str = "oc") -> Tensor:
-    """Returns the same rectangles in the form of a version.
-
-    In le90 and le135 the width is the longer side; in oc the angle is in [0, pi/2).
-    """
-    _one_of("version", version, tuple(_VERSIONS))
-    low, period = _VERSIONS[version]
-    x, y, width, height, angle = boxes.unbind(-1)
-    if version == "oc":
-        quarters = torch.floor(angle / period)
-        turned = quarters % 2 == 1
-        angle = (angle - quarters * period).clamp(min=0)
-    else:
-        turned = width < height
-        angle = norm_angle(torch.where(turned, angle + math.pi / 2, angle), version)
-    return torch.stack([x, y, torch.where(turned, height, width), torch.where(turned, width, height), angle], -1)
-
-
-def poly2obb(polys: Tensor, version: str = "oc") -> Tensor:
-    """Returns the boxes of four corners of rectangles, (N, 8) to (N, 5), in the form of a version."""
-    corners = polys.reshape(-1, 4, 2)
-    across, down = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 1]
-    sizes = [torch.linalg.vector_norm(side, dim=-1) for side in (across, down)]
-    angle = torch.atan2(across[:, 1], across[:, 0])
-    return regular(torch.stack([*corners.mean(1).unbind(-1), *sizes, angle], -1), version)
-
-
-def obb2poly(rboxes: Tensor, version: str = "oc") -> Tensor:
-    """Returns the four corners of boxes, (N, 5) to (N, 8), which are the same in every version."""
-    _one_of("version", version, tuple(_VERSIONS))
-    x, y, width, height, angle = rboxes.unbind(-1)
-    cos, sin = angle.cos() / 2, angle.sin() / 2
-    across, down = (width * cos, width * sin), (-height * sin, height * cos)
-    signs = ((-1, -1), (1, -1), (1, 1), (-1, 1))
-    return torch.stack([at + i * across[k] + j * down[k] for i, j in signs for k, at in ((0, x), (1, y))], -1)
-
-
-def obb2xyxy(rboxes: Tensor, version: str = "oc") -> Tensor:
-    """Returns the upright boxes around boxes, (N, 5) to (N, 4), which are the same in every version."""
-    _one_of("version", version, tuple(_VERSIONS))
-    center, width, height, angle = rboxes[..., :2], rboxes[..., 2], rboxes[..., 3], rboxes[..., 4]
-    cos, sin = angle.cos().abs() / 2, angle.sin().abs() / 2
-    half = torch.stack([width * cos + height * sin, width * sin + height * cos], -1)
-    return torch.cat([center - half, center + half], -1)
