@@ -22,7 +22,7 @@ What the losses measure
     * ``alpha`` weighs the shapes against the centres: offsets count as if they were ``alpha`` times shorter.
 
 Differences from MMRotate
-    * The mean of no boxes is 0 with gradient 0, not NaN. Without a positive weight the loss is 0, too.
+    * The mean of no boxes is 0 with gradient 0, not NaN.
     * Distances of Gaussians keep 1e-7 as the least number under the root of the distance. Floors inside, which change
       the loss of boxes smaller than 0.3, are left out.
     * :class:`GDLoss_v1` takes calls without ``weight``, and reduces.

@@ -14,7 +14,7 @@ Upright boxes are ``(x_min, y_min, x_max, y_max)``, oriented ones four corners i
 
 :class:`MeanAveragePrecision` is supervision's metric with these overlaps. ``with geograd.supervision.exact():`` puts
 them in the place of supervision's own for all that it computes: ``Detections.with_nms`` and ``with_nmm``, confusion
-matrices, trackers.
+matrices, recall.
 
 Differences from supervision
     * Overlaps of oriented boxes are those of float64, where supervision's are float32.

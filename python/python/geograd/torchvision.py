@@ -20,9 +20,9 @@ Formats
     in the image. Four corners stand for the rectangle of the first three.
 
 Differences from torchvision
-    * Rotated IoU is exact to rounding, in float32 and in float64. torchvision 0.29 gives float32 for float64 boxes, and
-      loses corners of boxes that nearly touch: 0.236 for an IoU of 4/21, 0.33 for 0.997 of two nearly equal boxes, 1
-      for boxes apart whose sides are below 0.01.
+    * Rotated IoU is exact to rounding, in float32 and in float64. torchvision 0.29 gives float32 for float64 boxes.
+    * torchvision 0.29 loses corners of rotated boxes. It has 0.236 for an IoU of 4/21 of two boxes of whole numbers,
+      0.33 for 0.997 of two nearly equal ones, and 1 for two apart whose sides are below 0.01.
     * Every function takes ``fmt``, leading axes and rotated boxes, with gradients. Rotated GIoU, DIoU and CIoU measure
       by the convex hull of both boxes and ignore ``eps``.
     * NaN and infinite numbers raise a ValueError that names the row, and so do negative sizes of rotated boxes and in
@@ -204,11 +204,17 @@ def _shaped(boxes: Tensor, fmt: str, dtype: torch.dtype) -> Tensor:
     return _obb2(boxes, fmt) if fmt in _ROTATED else _to_corners(boxes, fmt)
 
 
+#: The units of cxcywhr in those of Obb2.
+_UNITS = {
+    dtype: torch.tensor([1.0, 1.0, 1.0, 1.0, -math.pi / 180], dtype=dtype) for dtype in (torch.float32, torch.float64)
+}
+
+
 def _obb2(boxes: Tensor, fmt: str) -> Tensor:
     """Rotated boxes as geograd has them: the heading in radians, from x towards y."""
     if fmt != "cxcywhr":
         boxes = box_convert(boxes, fmt, "cxcywhr")
-    return torch.cat([boxes[..., :4], boxes[..., 4:] * (-math.pi / 180)], -1)
+    return boxes * _UNITS[boxes.dtype].to(boxes.device)
 
 
 def _matrix(score: Score, boxes1: Tensor, boxes2: Tensor, dtype: torch.dtype) -> Tensor:
