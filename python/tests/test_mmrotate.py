@@ -241,6 +241,12 @@ def test_representation_by_correlation(original):
             grads = [torch.autograd.grad(x.sum(), a)[0] for x in (expected, found)]
             torch.testing.assert_close(grads[1], grads[0], rtol=1e-6, atol=1e-8)
             assert ours.GDLoss(loss, "xy_stddev_pearson", **more)(a.float(), b.float()).dtype == torch.float32
+        # A correlation of 1 has no inverse: it counts as a little less.
+        one = torch.where(torch.arange(5) == 4, 1.0, a.detach())
+        both = original.gaussian_dist_loss.GDLoss, ours.GDLoss
+        expected, found = [cls(loss, "xy_stddev_pearson")(one, b) for cls in both]
+        assert found.isfinite()
+        torch.testing.assert_close(found, expected, rtol=1e-4, atol=0)
 
 
 def losses():
