@@ -10,6 +10,7 @@ use crate::Unrecordable;
 use crate::scalar::arc_tangent::atan2_wide;
 use crate::scalar::exponential::{LN_SERIES, exp_parts, ln_from, normal};
 use crate::scalar::float::{REDUCED, sin_cos_reduced};
+use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::sync::LazyLock;
 
@@ -78,64 +79,56 @@ fn wrapped(words: impl Iterator<Item = String>) -> Vec<String> {
     lines
 }
 
-/// Returns the declarations that a text refers to, and those that they refer to, each after what it needs.
+/// Returns the declarations that a text refers to, and those that they refer to, in the order of the prelude.
 fn needed(code: &str) -> Vec<&'static str> {
-    let mut wanted: Vec<bool> = PRELUDE
-        .iter()
-        .map(|block| block.is_named_in(code))
-        .collect();
-    // A block is needed by an earlier or a later one.
-    loop {
-        let more: Vec<usize> = (0..wanted.len())
-            .filter(|&i| !wanted[i])
-            .filter(|&i| {
-                let users = PRELUDE.iter().zip(&wanted);
-                users
-                    .into_iter()
-                    .any(|(user, &is)| is && PRELUDE[i].is_named_in(&user.text))
-            })
-            .collect();
-        if more.is_empty() {
-            break;
-        }
-        for i in more {
-            wanted[i] = true;
+    let mut wanted = vec![false; PRELUDE.len()];
+    let mut open: Vec<&str> = called(code).into_iter().collect();
+    while let Some(word) = open.pop() {
+        let place = PRELUDE.iter().position(|block| block.names(word));
+        if let Some(place) = place.filter(|&place| !wanted[place]) {
+            wanted[place] = true;
+            open.extend(called(&PRELUDE[place].text));
         }
     }
     let chosen = PRELUDE.iter().zip(wanted).filter(|(_, is)| *is);
     chosen.map(|(block, _)| &*block.text).collect()
 }
 
+/// Returns the names of the prelude in a text.
+fn called(text: &str) -> BTreeSet<&str> {
+    let name = |(at, _): (usize, &str)| {
+        let rest = &text[at..];
+        let is_part = |c: char| c == '_' || c.is_ascii_alphanumeric();
+        &rest[..rest.find(|c| !is_part(c)).unwrap_or(rest.len())]
+    };
+    text.match_indices("program_").map(name).collect()
+}
+
 /// Declarations of a module.
 struct Block {
-    names: Vec<String>,
     text: String,
 }
 
 impl Block {
-    fn new(text: String) -> Self {
-        let declared = |line: &str| {
+    /// Returns `true` if it declares a name.
+    fn names(&self, name: &str) -> bool {
+        let mut lines = self.text.lines();
+        lines.any(|line| {
             let rest = ["function ", "const "]
                 .iter()
-                .find_map(|word| line.strip_prefix(word))?;
-            Some(rest.split([' ', '(']).next()?.to_owned())
-        };
-        Block {
-            names: text.lines().filter_map(declared).collect(),
-            text,
-        }
-    }
-    /// Returns `true` if a text refers to one of its names.
-    fn is_named_in(&self, text: &str) -> bool {
-        let mut words = text.split(|c: char| c != '_' && !c.is_ascii_alphanumeric());
-        words.any(|word| self.names.iter().any(|name| name == word))
+                .find_map(|word| line.strip_prefix(word));
+            let rest = rest.and_then(|rest| rest.strip_prefix(name));
+            rest.is_some_and(|rest| rest.starts_with([' ', '(']))
+        })
     }
 }
 
 /// All declarations that programs may need: of bits, and the library's formulas.
 static PRELUDE: LazyLock<Vec<Block>> = LazyLock::new(|| {
     let bits = BITS.trim_end().split("\n\n").map(str::to_owned);
-    bits.chain(elementary()).map(Block::new).collect()
+    bits.chain(elementary())
+        .map(|text| Block { text })
+        .collect()
 });
 
 /// Returns the elementary functions, recorded from the formulas that the library computes with.
