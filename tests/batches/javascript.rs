@@ -87,15 +87,15 @@ fn add(folder: &mut Folder, row: &Tested) {
     let mut hard = row.hard().into_iter().step_by(7).take(COUNT / 2);
     let drawn = |draw: &mut Draw| hard.next().unwrap_or_else(|| row.random(draw));
     let mut items = list::inputs::<f64>(row, COUNT, drawn);
-    let mut batch = |mode: Mode, items: &[Vec<f64>], widths: &[usize]| {
+    let batch = |mode: Mode, items: &[Vec<f64>], widths: &[usize]| {
         let function = operation.function::<f64>(mode).expect(name);
         let mut lists = columns(row, items);
         if mode == Mode::Vjp {
             let from = lists.iter().map(|x| x.len() / items.len()).sum::<usize>();
             lists.push(items.iter().flat_map(|x| x[from..].to_vec()).collect());
         }
-        let rows: Vec<_> = lists.iter().zip(widths);
-        let rows: Vec<_> = rows.map(|(list, &width)| Rows::new(list, width)).collect();
+        let lists = lists.iter().zip(widths);
+        let rows: Vec<_> = lists.map(|(list, &width)| Rows::new(list, width)).collect();
         by_item(&function.aligned(&rows).expect(name), items.len())
     };
     let mut widths: Vec<usize> = operation
