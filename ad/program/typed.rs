@@ -6,7 +6,7 @@ use super::print::print;
 use super::record::record;
 use super::recorded::Recorded;
 use super::sym::Sym;
-use super::wgsl;
+use super::{javascript, wgsl};
 use crate::scalar::real::OneNumber;
 use crate::scalar::{Guard, guarded};
 use crate::{Error, Fixed, Real, Scalar};
@@ -269,6 +269,30 @@ impl<In: Fixed<Scalar = f32>, Out: Fixed<Scalar = f32>> Program<In, Out> {
     pub fn wgsl(&self, name: &str) -> Result<String, Error> {
         wgsl::checked(name).map_err(Error::Program)?;
         Ok(wgsl::function(name, &self.recorded))
+    }
+}
+
+impl<In: Fixed<Scalar = f64>, Out: Fixed<Scalar = f64>> Program<In, Out> {
+    /// Returns the program as a module of JavaScript that exports a function of this name: from a list of numbers to a
+    /// list of numbers, in the order of the fields. It needs nothing else, and its results have the bits of
+    /// [`eval`](Program::eval).
+    ///
+    /// ```
+    /// use geograd::ad::program::{Program, Sym};
+    /// use geograd::Vec2;
+    /// let length = Program::trace(|v: Vec2<Sym<f64>>| v.length())?;
+    /// let module = length.value_grad().javascript("length")?;
+    /// assert!(module.contains("export function length(x) {"));
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// If the name is not an identifier, or has a meaning in JavaScript or in the module.
+    pub fn javascript(&self, name: &str) -> Result<String, Error> {
+        javascript::checked(name).map_err(Error::Program)?;
+        let input = |i| In::name(i).to_string();
+        Ok(javascript::module(name, &self.recorded, input))
     }
 }
 

@@ -42,6 +42,7 @@ pub(crate) fn raised(error: Error) -> PyErr {
 #[pymodule(gil_used = false)]
 fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    m.add("WGSL", geograd::ad::program::WGSL)?;
     m.add_class::<shapes::Shape>()?;
     m.add_class::<shapes::Columns>()?;
     m.add_class::<shapes::Paths>()?;

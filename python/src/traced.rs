@@ -270,6 +270,16 @@ impl Program {
             )),
         }
     }
+    /// A module of JavaScript that exports the function, with the bits of the library; of float64 only.
+    #[pyo3(signature = (name="function_of"))]
+    pub fn javascript(&self, name: &str) -> PyResult<String> {
+        match &self.of {
+            InEither::Double(program) => program.javascript(name).map_err(raised),
+            InEither::Single(_) => Err(PyTypeError::new_err(
+                "the numbers of JavaScript are float64: take the program of float64",
+            )),
+        }
+    }
     fn __str__(&self) -> String {
         either!(self, |program| program.to_string())
     }

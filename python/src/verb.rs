@@ -535,10 +535,10 @@ impl Verb {
     }
     /// The operations of a form of a row, in a format.
     #[pyo3(signature = (*, kind, to=None, form="value", double=true))]
-    fn program<'py>(
+    fn program(
         &self,
-        kind: &Object<'py>,
-        to: Option<&Object<'py>>,
+        kind: &Object<'_>,
+        to: Option<&Object<'_>>,
         form: &str,
         double: bool,
     ) -> PyResult<Program> {
@@ -564,6 +564,18 @@ impl Verb {
             (Some(row), None) => Program::of(&row.call, form, double),
             _ => Err(self.refused(&[], "program", "kind= must name one row")),
         }
+    }
+    /// A module of JavaScript that exports a form of a row, by the verb's name if none is given.
+    #[pyo3(signature = (*, kind, to=None, form="value", name=None))]
+    fn javascript(
+        &self,
+        kind: &Object<'_>,
+        to: Option<&Object<'_>>,
+        form: &str,
+        name: Option<&str>,
+    ) -> PyResult<String> {
+        let program = self.program(kind, to, form, true)?;
+        program.javascript(name.unwrap_or(&self.of().name))
     }
 }
 

@@ -9,7 +9,7 @@ use crate::scalar::polynomial::{SHIFT, polynomial};
 use crate::scalar::real::{Format, Real};
 
 /// Above this angle the three-part reduction loses digits, and that of fdlibm by all digits of π takes over (`libm`).
-const REDUCED: f64 = 800_000.0;
+pub(crate) const REDUCED: f64 = 800_000.0;
 
 /// Returns the nearest multiple of a quarter turn, in quarters.
 #[inline(always)]
@@ -39,7 +39,7 @@ fn turned<W: Scalar>(quadrant: W, sin: W, cos: W) -> (W, W) {
 /// then the minimax polynomials of Sun's fdlibm (`k_sin.c`, `k_cos.c`); within one unit in the
 /// last place.
 #[inline(always)]
-fn sin_cos_reduced<W: Scalar<Primal = W>>(angle: W) -> (W, W) {
+pub(crate) fn sin_cos_reduced<W: Scalar<Primal = W>>(angle: W) -> (W, W) {
     let quadrant = quadrant_of(angle);
     // π/2 in parts of 33 bits (fdlibm, e_rem_pio2.c).
     let r = ((angle - quadrant * W::lit(1.570_796_326_734_125_6))

@@ -11,6 +11,7 @@ mod grouped;
 mod hessians;
 mod identities;
 mod jacobian;
+mod javascript;
 mod memory;
 mod names;
 mod nan;

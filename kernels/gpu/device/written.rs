@@ -1,6 +1,7 @@
 //! The shaders: their source files, and the constants in front of them.
 //!
 //! A shader is its constants followed by its files. Constants are defined in Rust alone.
+use crate::ad::program::wgsl::literal;
 use crate::clip::{FAR, LARGEST_INVERSE};
 use crate::overlap::Denominator;
 use crate::ring::Measure;
@@ -102,10 +103,6 @@ impl Take {
 
 /// The walk of a reduction, for every source and every kind of result.
 pub(super) const REDUCE: &str = include_str!("../wgsl/reduce.wgsl");
-/// Returns a number as a WGSL literal with equal bits.
-fn literal(x: f32) -> String {
-    format!("{x:e}f")
-}
 
 /// Returns the sizes of a kernel.
 pub(super) fn sizes(group: usize, step: usize, strip: usize) -> String {

@@ -14,7 +14,7 @@ Every verb (``geograd.iou``, ``geograd.distance``, ...) takes shapes: arrays who
 import os as _os
 
 from . import _core, assignment, metric
-from ._core import Paths, Program, Shape, Symbol, Truth, __version__, get_num_threads, set_num_threads
+from ._core import WGSL, Paths, Program, Shape, Symbol, Truth, __version__, get_num_threads, set_num_threads
 from ._camera import sees
 from ._check import Reports, check
 from ._elementary import (
@@ -35,7 +35,7 @@ if hasattr(_os, "register_at_fork"):
 
 __all__ = sorted(
     [
-        "Clouds", "Function", "Paths", "Polylines", "Program", "Reports", "Rings", "Shape", "Symbol", "Truth", "Verb", "__version__", "assignment", "metric",
+        "Clouds", "Function", "Paths", "Polylines", "Program", "Reports", "Rings", "Shape", "Symbol", "Truth", "Verb", "WGSL", "__version__", "assignment", "metric",
         "arctan2", "check", "clip", "copysign", "cos", "exp", "function", "get_num_threads", "hypot", "log", "maximum", "minimum",
         "sees", "set_num_threads", "sin", "sqrt", "square", "tan", "where", *_CLASSES, *_VERBS,
     ]

@@ -220,8 +220,12 @@ class Function(Forms):
         return self._core.program(form, np.dtype(dtype) == np.float64)
 
     def wgsl(self, name=None):
-        """The function in WGSL, in float32."""
+        """The function in WGSL, in float32. A shader with it needs `geograd.WGSL`, once."""
         return self.program_of(dtype=np.float32).wgsl(name or self.__name__)
+
+    def javascript(self, name=None, form="value"):
+        """A module of JavaScript that exports a form of the function, in float64 with the same bits."""
+        return self.program_of(form).javascript(name or self.__name__)
 
     def __repr__(self):
         return f"<geograd.Function {self.__name__}({', '.join(self._names)})>"
