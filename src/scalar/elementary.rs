@@ -138,6 +138,7 @@ pub(crate) fn ln_over<S: Scalar>(x: S, ln_of_base: f64) -> S {
 pub(crate) fn cbrt<S: Scalar>(x: S) -> S {
     let (size, none) = (x.unsigned(), x.equals(S::zero()));
     let root = ln_over(size, 3.0).exp();
+    let (value, three) = (root.primal(), S::Primal::lit(3.0));
     // One step of Newton's corrects the rounding of the logarithm, a factor for the derivative.
     let step = (value - size.primal().over(value * value)).over(three);
     let corrected = value - step;

@@ -21,7 +21,6 @@ import torch
 
 import geograd
 from geograd import _nodes, _torch
-from geograd._check import Reports
 from geograd._function import Function, reduced
 from geograd._losses import (
     CIoULoss, DIoULoss, EIoULoss, GIoULoss, GWDLoss, IoULoss, KFIoULoss, KLDLoss, Loss, ProbIoULoss,
@@ -90,7 +89,7 @@ def check(
     spread: float = 0.1,
     seed: int = 1,
     quiet: bool = False,
-) -> Reports:
+) -> geograd.Reports:
     """Runs the harness on the gradient that autograd has of ``fn``, prints its report and returns it.
 
     ``fn`` takes tensors; its results are summed. ``inputs`` are examples of its arguments: the harness checks ``fn`` at
