@@ -288,8 +288,10 @@ def gradients(name):
 def stubs():
     lines = [HEAD.format(doc=geograd.__doc__, item=ITEM, kind="kind: Kind = ..., ").replace("Report = _core.Report\n", "")]
     for name, count in ELEMENTARY.items():
-        takes = "x: Any" if count == 1 else "a: Any, b: Any"
-        lines.append(f"def {name}({takes}) -> Any:\n" + documented(getattr(geograd, name).__doc__, "    "))
+        symbolic = ["x: Symbol"] if count == 1 else ["a: Symbol, b: Union[Symbol, float]", "a: float, b: Symbol"]
+        takes = "x: ArrayLike" if count == 1 else "a: ArrayLike, b: ArrayLike"
+        for own, gives in [*((own, "Symbol") for own in symbolic), (takes, "Any")]:
+            lines.append(f"@overload\ndef {name}({own}) -> {gives}:\n" + documented(getattr(geograd, name).__doc__, "    "))
     for name, fields, _ in sorted(_core.shapes()):
         if fields:
             cls = getattr(geograd, name)

@@ -73,7 +73,7 @@ class Verb:
         """The node and both lists of a form of pairs."""
         node = _nodes.of_verb(self.__name__, kind, 2)
         if len(node.takes) != 2:
-            raise TypeError(f"geograd.torch.{self.__name__}.{form}: {node.name} takes {len(node.takes)} arguments, and pairs are of two")
+            raise TypeError(f"{node.name} takes {len(node.takes)} arguments, and {form} is of two")
         return node, _torch.tensors(self.__name__, (a, b))
 
     def all_pairs(self, a, b, *, kind=None):
@@ -120,14 +120,15 @@ class Verb:
 
     @torch.compiler.disable
     def column_max(self, a, b, *, groups=None, kind=None):
-        """The largest result of every row of ``b``, with derivatives, and its row of ``a``; -inf and -1 where there are none."""
+        """The same of every row of ``b``."""
         return self._most("column_max", a, b, groups, kind)
 
     def _most(self, form, a, b, groups, kind):
         node, (a, b) = self._two(form, a, b, kind)
         groups = None if groups is None else tuple(map(_offsets, groups))
         arrays = a.detach().numpy(), b.detach().numpy()
-        values, places = map(torch.from_numpy, getattr(node.base.verb, form)(*arrays, groups=groups, kind=node.base.kinds))
+        found = getattr(node.base.verb, form)(*arrays, groups=groups, kind=node.base.kinds)
+        values, places = map(torch.from_numpy, found)
         if torch.is_grad_enabled() and (a.requires_grad or b.requires_grad):
             found = torch.nonzero(places >= 0).squeeze(-1)
             own, other = found, places[found]
