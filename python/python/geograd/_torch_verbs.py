@@ -5,7 +5,9 @@ from __future__ import annotations
 import torch
 
 import geograd
-from geograd import _nodes, _torch
+from geograd import _nodes, _torch, _torch_polygons
+
+_ANY_POLYGONS = (_torch_polygons.Polygons, geograd.Polygons)
 
 
 class _Pairs(torch.autograd.Function):
@@ -67,6 +69,8 @@ class Verb:
         return (_verb, (self.__name__,))
 
     def __call__(self, *arguments, kind=None, to=None):
+        if any(isinstance(x, _ANY_POLYGONS) for x in arguments):
+            return _torch_polygons.run(self.__name__, arguments)
         return _torch.of_verb(self.__name__, arguments, kind, to)
 
     def _two(self, form, a, b, kind):

@@ -4,7 +4,7 @@ import inspect
 
 import numpy as np
 
-from . import _core
+from . import _core, _points, _polygons
 from ._forms import Forms
 
 
@@ -68,6 +68,11 @@ def describe(verb):
         lines.append(f"    {verb}({takes}) -> {gives}")
         if row["summary"] != rows[0]["summary"]:
             lines.append(f"        {row['summary']}")
+    if verb in _polygons.VERBS:
+        takes, gives = _polygons.VERBS[verb]
+        lines += [f"    {verb}({takes}) -> {gives}", f"        {_polygons.SUMMARIES[verb]}"]
+    if verb in _points.VERBS:
+        lines += [f"    {verb}(points: Paths or Polygons) -> {_points.VERBS[verb] or 'number'}", f"        {_points.SUMMARIES[verb]}"]
     return "\n".join(lines)
 
 
