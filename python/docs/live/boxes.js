@@ -9,12 +9,16 @@ const START = { a: [-1.1, -0.6, 2.6, 1.4, 0.45], b: [0.9, 0.4, 2.8, 1.6, -0.2] }
 const NAMES = ["x", "y", "width", "height", "heading"];
 const LEAST = 0.1;
 
-/** The scores: the function, what descent makes small, and which way that is from the score. */
+/** The scores: the function, what descent makes small and until when, and which way that is from the score. */
 const SCORES = {
-    iou: { of: iou, title: "1 \u2212 IoU", loss: (x) => 1 - x, sign: () => 1 },
-    giou: { of: giou, title: "1 \u2212 GIoU", loss: (x) => 1 - x, sign: () => 1 },
+    iou: { of: iou, title: "1 \u2212 IoU", loss: (x) => 1 - x, enough: 1e-4, sign: () => 1 },
+    giou: { of: giou, title: "1 \u2212 GIoU", loss: (x) => 1 - x, enough: 1e-4, sign: () => 1 },
     signed_distance: {
-        of: signed_distance, title: "|signed distance|", loss: Math.abs, sign: (x) => (x > 0 ? -1 : 1),
+        of: signed_distance,
+        title: "|signed distance|",
+        loss: Math.abs,
+        enough: 1e-12,
+        sign: (x) => (x > 0 ? -1 : 1),
     },
 };
 
@@ -56,10 +60,10 @@ export function boxes() {
         document.getElementById("boxes-note").textContent = note(state, value, flat);
     }
 
-    /** Moves box A against the gradient of the loss; a move that does not make it smaller is halved. */
+    // Moves box A against the gradient of the loss, less far if that does not make it smaller; true if more is to do.
     function step() {
         const [value, ...gradient] = evaluated(state.a);
-        const { loss, sign } = chosen();
+        const { loss, enough, sign } = chosen();
         if (state.history.length === 0) {
             state.history.push(loss(value));
         }
@@ -76,7 +80,7 @@ export function boxes() {
             if (found < loss(value)) {
                 state.a = next;
                 state.history.push(found);
-                return loss(value) - found > 1e-7 * (1e-3 + loss(value));
+                return found > enough;
             }
         }
         return false;

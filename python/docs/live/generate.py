@@ -127,7 +127,8 @@ def modules():
         lines.append(f'import {{ {name} }} from "./{name}.js";')
     lines.append("\n/** What fields call in WGSL. */")
     lines.append(f"export const WGSL = {literal(geograd.WGSL)};")
-    lines.append("\n/** Every field: what it is, and its value with the gradient in JavaScript and WGSL. */\nexport const FIELDS = [")
+    lines.append("\n/** Every field: what it is, and its value with the gradient in JavaScript and WGSL. */")
+    lines.append("export const FIELDS = [")
     for field in described:
         lines.append("    {")
         lines += [f"        {key}: {literal(value)}," for key, value in field.items()]
