@@ -12,6 +12,12 @@ MODULES = ["torch", "jax", "arrow", "ray", "datafusion", "metric", "assignment"]
 OWN = ["Rings", "Polylines", "Clouds", "Function", "Verb", "Program", "Reports", "Symbol", "Truth"]
 
 
+#: Sources whose functions have their defaults, which stubs have not.
+SOURCES = ["_check.py", "_function.py", "_camera.py", "_elementary.py"]
+#: An argument in a docstring, `samples: how many`.
+ARGUMENT = re.compile(r"^([a-z_]+(?:, [a-z_]+)*): ")
+
+
 def parsed(name):
     return ast.parse((PACKAGE / name).read_text(encoding="utf-8"))
 
@@ -28,6 +34,11 @@ def markdown(text):
         if not code and line.startswith("    ") and (not lines or not lines[-1].strip()):
             lines.append("```python")
             code = True
+        if not code and ARGUMENT.match(line):
+            lines += [""] if lines and lines[-1].strip() and not lines[-1].startswith(("* ", "  ")) else []
+            line = ARGUMENT.sub(r"* `\1`: ", line)
+        elif not code and line.strip() and lines and lines[-1].startswith(("* `", "  ")):
+            line = "  " + line
         if line.rstrip().endswith("::") and not code:
             line = line.rstrip()[:-2].rstrip() + (":" if line.strip() != "::" else "")
         lines.append(line[4:] if code and line.startswith("    ") else line)
@@ -103,12 +114,12 @@ def verbs(classes, known):
         name = node.name[1:]
         lines = inspect.cleandoc(ast.get_docstring(node)).splitlines()
         summary = lines[0]
-        text += [f"## `{name}`", "", summary, "", "| takes | gives | |", "| --- | --- | --- |"]
+        text += [f"## `{name}`", "", summary, "", "| takes | gives | meaning |", "| --- | --- | --- |"]
         calls = []
         for line in lines[1:]:
             match = re.match(rf"    {name}\((.*)\) -> (.*)", line)
             if match:
-                calls.append([*match.groups(), ""])
+                calls.append([*match.groups(), summary])
             elif line.startswith("        ") and calls:
                 calls[-1][2] = line.strip()
         for takes, gives, special in calls:
@@ -129,8 +140,11 @@ def package(tree, classes):
     """Returns the page of functions, forms and classes of the package."""
     text = ["# `geograd`", "", "The package itself: own functions, checks, threads, and the forms of every verb and function.",
             "[Verbs](verbs.md) and [shapes](shapes.md) have pages of their own.", "", "## Functions", ""]
-    text += [entry(f"geograd.{node.name}", signature(node), ast.get_docstring(node), 3) for node in functions(tree.body)]
-    forms = next(node for node in classes if node.name == "_Forms")
+    whole = {node.name: node for name in SOURCES for node in functions(parsed(name).body)}
+    for node in functions(tree.body):
+        node = whole.get(node.name, node)
+        text.append(entry(f"geograd.{node.name}", signature(node), ast.get_docstring(node), 3))
+    forms = next(node for node in parsed("_forms.py").body if isinstance(node, ast.ClassDef))
     text += ["## Forms", "", "Of every verb, `geograd.iou.value_grad(a, b)`, and of every function that is recorded.", ""]
     text += [entry(node.name, signature(node, owner=True), ast.get_docstring(node), 3) for node in functions(forms.body)]
     text += ["## Classes", ""]
