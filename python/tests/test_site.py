@@ -142,8 +142,10 @@ def test_a_missing_picture_is_seen(browser, address):
 def test_the_search_finds_a_verb(browser, address):
     page = browser.new_page(viewport={"width": 1280, "height": 900})
     page.goto(address)
-    page.fill("input[name=query]", "giou")
-    page.wait_for_selector(".md-search-result__item a", timeout=20_000)
+    page.wait_for_load_state("networkidle")
+    page.click("input[name=query]")
+    page.keyboard.type("giou", delay=30)
+    page.wait_for_selector(".md-search-result__item a", timeout=60_000)
     assert page.locator(".md-search-result__item a").count() >= 1
     page.close()
 

@@ -1,7 +1,7 @@
-"""Rectangle, circle and width around a polygon
+"""The least rectangle and the smallest circle around a polygon
 
-The rectangle of least area and the smallest circle, with the derivative of area and radius by every vertex as an arrow. A
-vertex inside has none: only the vertices that carry the figure move it.
+Arrows are the derivatives of the area and of the radius by every vertex. Only the vertices that carry the figure have one:
+the others may move a little without changing it.
 """
 
 import numpy as np

@@ -121,6 +121,8 @@ for axes, layer, text in ((panels[0], b, "As surveyed"), (panels[1], after, "Aft
 plt.show()
 
 # %% [markdown]
+# Orange is the old map, blue the new one.
+#
 # ## Buildings that changed
 #
 # IoU after the motion says which buildings agree, and which are only in one of the maps.

@@ -18,9 +18,6 @@ if missing:
 
 # %%
 if not missing:
-    import os
-
-    os.environ.setdefault("RAY_ACCEL_ENV_VAR_OVERRIDE_ON_ZERO", "0")
     import pyarrow as pa
     import ray
 

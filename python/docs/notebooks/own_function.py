@@ -36,7 +36,7 @@ print(by_car[:4].round(3))
 
 # %%
 print(cost.hessian(cars[:4], other, 2.0).shape)
-print(str(cost.program)[:300], "…")
+print(*str(cost.program).splitlines()[:8], "…", sep="\n")
 
 # %% [markdown]
 # ## Check it

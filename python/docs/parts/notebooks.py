@@ -97,6 +97,6 @@ def make(pages, run=True):
         title, first = re.match(r"# (.*)\n\n(.*?)(?:\n\n|$)", notebook.cells[0].source, re.S).groups()
         text = page(notebook, name, pages)
         jupytext.write(read(name), pages / "notebooks" / f"{name}.ipynb", fmt="ipynb")
-        write(pages / "notebooks" / f"{name}.md", f"{text}\n---\n\n[The notebook]({name}.ipynb), without results.\n")
+        write(pages / "notebooks" / f"{name}.md", f"---\nhide: [toc]\n---\n\n{text}\n---\n\n[The notebook]({name}.ipynb), without results.\n")
         lines += [f"## [{title}]({name}.md)", "", first, ""]
     write(pages / "notebooks" / "index.md", "\n".join(lines))

@@ -1,8 +1,8 @@
 """Runs the pairs of calls on the pages "instead of", and puts their values below them.
 
 A pair is two blocks of code after a comment such as `<!-- sides: shapely within 1e-12 -->`. Blocks before it are run first, for
-both. The last line of a block is its value. Where the library is missing, the value on the left is the one that the comment
-records, `says 1.5 (parry2d 0.31.1)`, or there is none: `right 1.5 (closed form)` then judges the value on the right.
+both. The last line of a block is its value. A comment may record a value for builds without the library:
+`says 1.5 (parry2d-f64 0.31.1)` is the library's, `right 1.5 (closed form)` an independent one.
 """
 
 import ast
