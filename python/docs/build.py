@@ -10,6 +10,7 @@ import argparse
 import logging
 import os
 import pathlib
+import re
 import shutil
 import sys
 import time
@@ -19,6 +20,14 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from parts import DOCS, ROOT, collected, gallery, links, notebooks, reference, sides
 
 LIVE = DOCS / "live"
+#: Whether both registries have the packages: the page of installation has the commands of either state.
+RELEASED = False
+STATES = re.compile(r"<!-- if unreleased -->\n(.*?)<!-- if released -->\n(.*?)<!-- end -->\n", re.S)
+
+
+def stated(text, released=RELEASED):
+    """Returns a page with the parts of one state."""
+    return STATES.sub(lambda match: match[2 if released else 1], text)
 
 
 def sources(pages, run):
@@ -38,6 +47,8 @@ def sources(pages, run):
         start = time.perf_counter()
         make()
         seconds[name] = time.perf_counter() - start
+    for path in pages.rglob("*.md"):
+        path.write_text(stated(path.read_text(encoding="utf-8")), encoding="utf-8")
     if (LIVE / "index.html").exists():
         shutil.copytree(LIVE, pages / "live", ignore=shutil.ignore_patterns("*.py", "*.md", "__pycache__"))
     else:

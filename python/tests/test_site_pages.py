@@ -40,6 +40,33 @@ def test_blocks_print_what_the_page_shows(page):
     assert ran >= len(blocks) - 1 and ran >= 1
 
 
+@pytest.mark.parametrize("page", ["index.md", "faults.md"])
+def test_figures_of_pages_are_those_of_the_repository(page):
+    text = (PAGES / page).read_text(encoding="utf-8")
+    root = DOCS.parents[1]
+    readme = (root / "README.md").read_text(encoding="utf-8")
+    corpus = (root / "tests" / "corpus" / "README.md").read_text(encoding="utf-8")
+    reports = (root / "tests" / "geometry" / "reports" / "README.md").read_text(encoding="utf-8")
+    for count in re.findall(r"(\d+) public reports", text):
+        assert f"\n{count} reports of wrong" in reports
+    for figure in re.findall(r"\d+ million", text):
+        assert figure in readme
+    for figure in re.findall(r"all ([\d,]+) steady faults", text):
+        assert f"({figure.replace(',', '')})" in corpus
+    if page == "faults.md":
+        assert "missed 10 %" in text and "| 10 % |" in corpus and "Sixty-nine" in corpus and "69 functions" in text
+
+
+def test_the_page_of_installation_has_both_states():
+    import build
+
+    text = (PAGES / "install.md").read_text(encoding="utf-8")
+    before, after = build.stated(text, released=False), build.stated(text, released=True)
+    assert "in no registry yet" in before and "pip install ./geograd/python" in before and "cargo add --path geograd" in before
+    assert "registry yet" not in after and "pip install geograd\n" in after and "cargo add geograd\n" in after
+    assert "<!-- " not in before + after
+
+
 def test_the_first_page_shows_three_lines():
     code, _ = BLOCK.search((PAGES / "index.md").read_text(encoding="utf-8")).groups()
     assert len(code.splitlines()) == 3

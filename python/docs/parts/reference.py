@@ -166,6 +166,9 @@ def module(name):
     """Returns the page of a module: what it says of itself, its functions and classes."""
     tree = parsed(f"{name}.py")
     text = [f"# `geograd.{name}`", "", markdown(ast.get_docstring(tree)), ""]
+    if name == "torch":
+        found = [f"`{loss}` of [`{verb}`](verbs.md#{verb})" for loss, verb in losses().items()]
+        text += [f"Losses, each one minus a score: {', '.join(found)}.", ""]
     for node in tree.body:
         if not isinstance(node, (ast.FunctionDef, ast.ClassDef)) or node.name.startswith("_") or not ast.get_docstring(node):
             continue
@@ -178,6 +181,14 @@ def module(name):
             if ast.get_docstring(own):
                 text.append(entry(f"{node.name}.{own.name}", signature(own, owner=True), ast.get_docstring(own), 3))
     return "\n".join(text)
+
+
+def losses():
+    """Returns the names of losses and of the verbs that score them."""
+    for node in parsed("_nodes.py").body:
+        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "LOSSES":
+            return ast.literal_eval(node.value)
+    raise LookupError("_nodes.py has no LOSSES")
 
 
 def make(pages):
