@@ -1,4 +1,5 @@
-"""Builds the site: draws the gallery, executes the notebooks, writes the reference, runs the generator, checks the links.
+"""Builds the site: draws the gallery, executes the notebooks, writes the reference, runs the generator, checks the
+links.
 
     python python/docs/build.py                  # into target/site
     python python/docs/build.py --out FOLDER --fast
@@ -96,7 +97,12 @@ class Counter(logging.Handler):
 
 def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--out", type=pathlib.Path, default=ROOT / "target" / "site", help="the folder of the site (default target/site)")
+    parser.add_argument(
+        "--out",
+        type=pathlib.Path,
+        default=ROOT / "target" / "site",
+        help="the folder of the site (default target/site)",
+    )
     parser.add_argument("--fast", action="store_true", help="execute no notebook")
     options = parser.parse_args(arguments)
     out = options.out.absolute()

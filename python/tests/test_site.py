@@ -22,9 +22,27 @@ sys.path.insert(0, str(PYTHON / "docs"))
 from parts import gallery, links, notebooks, reference  # noqa: E402
 
 PAGES = [
-    "", "install/", "five_minutes/", "gallery/", "notebooks/", "notebooks/rotated_detection/", "notebooks/own_function/",
-    "notebooks/robot_clearance/", "notebooks/city/", "notebooks/data_set/", "instead/", "instead/shapely/", "reference/verbs/",
-    "reference/geograd/", "reference/torch/", "kinks/", "reports/", "faults/", "corpus/", "benchmarks/", "datasets/",
+    "",
+    "install/",
+    "five_minutes/",
+    "gallery/",
+    "notebooks/",
+    "notebooks/rotated_detection/",
+    "notebooks/own_function/",
+    "notebooks/robot_clearance/",
+    "notebooks/city/",
+    "notebooks/data_set/",
+    "instead/",
+    "instead/shapely/",
+    "reference/verbs/",
+    "reference/geograd/",
+    "reference/torch/",
+    "kinks/",
+    "reports/",
+    "faults/",
+    "corpus/",
+    "benchmarks/",
+    "datasets/",
 ]
 WIDTHS = {"desktop": (1280, 900), "mobile": (390, 800)}
 
@@ -82,7 +100,9 @@ def test_links_lead_somewhere(site):
 
 
 def test_a_broken_link_is_found(tmp_path):
-    (tmp_path / "index.html").write_text('<a href="there.html#here">x</a><a href="no.html">y</a><img src="no.png"><a href="https://x">z</a>')
+    (tmp_path / "index.html").write_text(
+        '<a href="there.html#here">x</a><a href="no.html">y</a><img src="no.png"><a href="https://x">z</a>'
+    )
     (tmp_path / "there.html").write_text('<h1 id="elsewhere">x</h1>')
     assert [link for _, link in links.broken(tmp_path)] == ["there.html#here", "no.html", "no.png"]
 
@@ -90,7 +110,9 @@ def test_a_broken_link_is_found(tmp_path):
 def test_pages_name_no_path_of_the_machine(site):
     for path in site.rglob("*.html"):
         text = path.read_text(encoding="utf-8")
-        assert str(pathlib.Path.home()) + "/" not in text and str(PYTHON.parent) not in text and "/tmp/" not in text, path
+        assert (
+            str(pathlib.Path.home()) + "/" not in text and str(PYTHON.parent) not in text and "/tmp/" not in text
+        ), path
 
 
 def test_pictures_are_drawn(site):
@@ -105,22 +127,37 @@ def test_pages_open_without_errors(browser, address):
     for kind, (width, height) in WIDTHS.items():
         page = browser.new_page(viewport={"width": width, "height": height})
         faults = []
-        page.on("console", lambda message: faults.append(message.text) if message.type in ("error", "warning") else None)
+        page.on(
+            "console", lambda message: faults.append(message.text) if message.type in ("error", "warning") else None
+        )
         page.on("pageerror", lambda error: faults.append(str(error)))
         page.on("requestfailed", lambda request: faults.append(f"{request.url} failed"))
-        page.on("response", lambda answer: faults.append(f"{answer.url}: {answer.status}") if answer.status >= 400 else None)
-        page.on("request", lambda asked: faults.append(f"{asked.url} is elsewhere") if is_elsewhere(asked.url, address) else None)
+        page.on(
+            "response",
+            lambda answer: faults.append(f"{answer.url}: {answer.status}") if answer.status >= 400 else None,
+        )
+        page.on(
+            "request",
+            lambda asked: faults.append(f"{asked.url} is elsewhere") if is_elsewhere(asked.url, address) else None,
+        )
         for name in PAGES:
             page.goto(address + name)
             page.wait_for_load_state("networkidle")
             assert faults == [], (name, kind, faults)
             assert page.locator("h1").count() == 1, name
-            broken = page.evaluate("[...document.images].filter(own => !own.complete || !own.naturalWidth).map(own => own.src)")
+            broken = page.evaluate(
+                "[...document.images].filter(own => !own.complete || !own.naturalWidth).map(own => own.src)"
+            )
             assert broken == [], (name, broken)
             # Wide tables and code scroll by themselves; the page does not.
-            assert page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth") <= 0, (name, kind)
+            assert (
+                page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth") <= 0
+            ), (name, kind)
             if shots:
-                page.screenshot(path=str(pathlib.Path(shots) / f"{kind}-{name.strip('/').replace('/', '-') or 'index'}.png"), full_page=True)
+                page.screenshot(
+                    path=str(pathlib.Path(shots) / f"{kind}-{name.strip('/').replace('/', '-') or 'index'}.png"),
+                    full_page=True,
+                )
         page.close()
 
 
@@ -162,7 +199,11 @@ def test_an_install_and_a_first_result_are_two_clicks_away(browser, address):
 
 def test_the_live_page_is_linked_where_it_exists(site):
     front = (site / "index.html").read_text(encoding="utf-8")
-    assert ("live/" in front) == (PYTHON / "docs" / "live" / "index.html").exists() == (site / "live" / "index.html").exists()
+    assert (
+        ("live/" in front)
+        == (PYTHON / "docs" / "live" / "index.html").exists()
+        == (site / "live" / "index.html").exists()
+    )
 
 
 def test_notebooks_have_results(site):
@@ -173,7 +214,14 @@ def test_notebooks_have_results(site):
         assert "Traceback" not in text
         assert 'class="output"' in text, name
     for name in ("rotated_detection", "robot_clearance", "city"):
-        assert len(re.findall(r"<img [^>]*Picture \d", (site / "notebooks" / name / "index.html").read_text(encoding="utf-8"))) >= 1, name
+        assert (
+            len(
+                re.findall(
+                    r"<img [^>]*Picture \d", (site / "notebooks" / name / "index.html").read_text(encoding="utf-8")
+                )
+            )
+            >= 1
+        ), name
 
 
 def test_a_failing_cell_fails_the_build(tmp_path, monkeypatch):
@@ -188,4 +236,7 @@ def test_a_failing_cell_fails_the_build(tmp_path, monkeypatch):
 
 def test_docstrings_become_markdown():
     text = "Runs it::\n\n    f(x)\n\nfirst: one of\n  two.\nsecond: more."
-    assert reference.markdown(text) == "Runs it:\n\n```python\nf(x)\n```\n\n* `first`: one of\n    two.\n* `second`: more."
+    assert (
+        reference.markdown(text)
+        == "Runs it:\n\n```python\nf(x)\n```\n\n* `first`: one of\n    two.\n* `second`: more."
+    )

@@ -62,7 +62,11 @@ def test_the_page_of_installation_has_both_states():
 
     text = (PAGES / "install.md").read_text(encoding="utf-8")
     before, after = build.stated(text, released=False), build.stated(text, released=True)
-    assert "in no registry yet" in before and "pip install ./geograd/python" in before and "cargo add --path geograd" in before
+    assert (
+        "in no registry yet" in before
+        and "pip install ./geograd/python" in before
+        and "cargo add --path geograd" in before
+    )
     assert "registry yet" not in after and "pip install geograd\n" in after and "cargo add geograd\n" in after
     assert "<!-- " not in before + after
 
@@ -78,7 +82,11 @@ PAIRS = sorted(path.stem for path in sides.FOLDER.glob("*.md") if path.stem != "
 @pytest.mark.parametrize("page", PAIRS)
 def test_values_of_both_sides_agree(page):
     text = (sides.FOLDER / f"{page}.md").read_text(encoding="utf-8")
-    if not is_there("\n".join(re.sub(sides.PAIR, "", text).splitlines())) or "import geograd.torch" in text and not is_there("import torch"):
+    if (
+        not is_there("\n".join(re.sub(sides.PAIR, "", text).splitlines()))
+        or "import geograd.torch" in text
+        and not is_there("import torch")
+    ):
         pytest.skip(f"{page}: a library that the page's own code needs is missing")
     found, compared = [pair for _, pair in sides.pairs(text)], 0
     assert len(found) == text.count("<!-- sides: ") >= 2
@@ -129,23 +137,38 @@ CASES = {
     "max(x, y) at (1, 1)": ((1, 1), two(geograd.maximum), "torch.maximum", "jnp.maximum"),
     "min(x, y) at (1, 1)": ((1, 1), two(geograd.minimum), "torch.minimum", "jnp.minimum"),
     "max(x, 0) at 0": (
-        (0,), one(lambda x: geograd.maximum(x, 0.0)), "lambda x: torch.maximum(x, torch.zeros_like(x))", "lambda x: jnp.maximum(x, 0.0)",
+        (0,),
+        one(lambda x: geograd.maximum(x, 0.0)),
+        "lambda x: torch.maximum(x, torch.zeros_like(x))",
+        "lambda x: jnp.maximum(x, 0.0)",
     ),
     "relu(x) at 0": ((0,), None, "torch.relu", "jax.nn.relu"),
     "\\|x\\| at 0": ((0,), one(abs), "torch.abs", "jnp.abs"),
     "√x at 0": ((0,), one(geograd.sqrt), "torch.sqrt", "jnp.sqrt"),
     "clamp(x, 0, 1) at 0": (
-        (0,), one(lambda x: geograd.clip(x, 0.0, 1.0)), "lambda x: torch.clamp(x, 0, 1)", "lambda x: jnp.clip(x, 0, 1)",
+        (0,),
+        one(lambda x: geograd.clip(x, 0.0, 1.0)),
+        "lambda x: torch.clamp(x, 0, 1)",
+        "lambda x: jnp.clip(x, 0, 1)",
     ),
     "clamp(x, 0, 1) at 1": (
-        (1,), one(lambda x: geograd.clip(x, 0.0, 1.0)), "lambda x: torch.clamp(x, 0, 1)", "lambda x: jnp.clip(x, 0, 1)",
+        (1,),
+        one(lambda x: geograd.clip(x, 0.0, 1.0)),
+        "lambda x: torch.clamp(x, 0, 1)",
+        "lambda x: jnp.clip(x, 0, 1)",
     ),
     "norm of (x, y) at (0, 0)": (
-        (0, 0), two(length), "lambda *x: torch.linalg.vector_norm(torch.stack(x))", "lambda *x: jnp.linalg.norm(jnp.stack(x))",
+        (0, 0),
+        two(length),
+        "lambda *x: torch.linalg.vector_norm(torch.stack(x))",
+        "lambda *x: jnp.linalg.norm(jnp.stack(x))",
     ),
     "hypot(x, y) at (0, 0)": ((0, 0), two(geograd.hypot), "torch.hypot", "jnp.hypot"),
     "√(x² + y²) at (0, 0)": (
-        (0, 0), two(lambda x, y: geograd.sqrt(x * x + y * y)), "lambda x, y: torch.sqrt(x * x + y * y)", "lambda x, y: jnp.sqrt(x * x + y * y)",
+        (0, 0),
+        two(lambda x, y: geograd.sqrt(x * x + y * y)),
+        "lambda x, y: torch.sqrt(x * x + y * y)",
+        "lambda x, y: jnp.sqrt(x * x + y * y)",
     ),
     "atan2(y, x) at (0, 0)": ((0, 0), two(geograd.arctan2), "torch.atan2", "jnp.arctan2"),
 }

@@ -1,7 +1,8 @@
 """A robot arm keeps clear of obstacles
 
-An arm of three links, each a capsule. The straight way from the first pose to the last one goes through both obstacles. The
-gradient of the clearance by the joint angles moves all poses at once: the arm folds before each obstacle and stretches behind it.
+An arm of three links, each a capsule. The straight way from the first pose to the last one goes through both obstacles.
+The gradient of the clearance by the joint angles moves all poses at once: the arm folds before each obstacle and
+stretches behind it.
 """
 
 import numpy as np
@@ -69,12 +70,17 @@ def arm(axes, angles, color, **options):
 def draw():
     start, angles = planned()
     figure, (left, middle, curve) = style.axes(3, size=(10.8, 4.2), width_ratios=[1, 1, 0.9])
-    for axes, poses, color, text in ((left, start, style.ORANGE, "Straight way"), (middle, angles, style.BLUE, "After the descent")):
+    for axes, poses, color, text in (
+        (left, start, style.ORANGE, "Straight way"),
+        (middle, angles, style.BLUE, "After the descent"),
+    ):
         for k, pose in enumerate(poses):
             ends = k in (0, POSES - 1)
             arm(axes, pose, color, fill=0.06, edge=0.9 if ends else 0.4, width=1.8 if ends else 1.0, zorder=3)
         for x, y, radius in OBSTACLES:
-            axes.add_patch(style.plt.Circle((x, y), radius, facecolor="#5b6975", edgecolor=style.INK, linewidth=1.5, zorder=2))
+            axes.add_patch(
+                style.plt.Circle((x, y), radius, facecolor="#5b6975", edgecolor=style.INK, linewidth=1.5, zorder=2)
+            )
         axes.plot(0, 0, "s", color=style.INK, markersize=9, zorder=6)
         axes.set_title(text)
         style.map_axes(axes, (-2.9, 4.7), (-1.5, 5.0))

@@ -1,7 +1,7 @@
 """Boxes descend into place
 
-Four detections follow the gradient of GIoU for 80 steps of Adam, each one call for all boxes. Pale outlines are earlier steps; the
-curves on the right are the IoU with the truth.
+Four detections follow the gradient of GIoU for 80 steps of Adam, each one call for all boxes. Pale outlines are earlier
+steps; the curves on the right are the IoU with the truth.
 """
 
 import numpy as np
@@ -9,8 +9,15 @@ import style
 
 import geograd
 
-TRUTHS = np.array([[-3.6, 1.1, 2.6, 1.3, 0.5], [-0.2, -1.3, 2.2, 1.6, -0.3], [2.6, 1.3, 1.5, 2.8, 0.25], [3.6, -1.7, 2.4, 1.0, 0.9]])
-STARTS = TRUTHS + [[1.1, 0.8, -0.9, 0.6, -0.55], [-1.9, 0.3, 0.9, -0.7, 0.5], [-0.9, -0.9, 0.9, -1.1, -0.5], [1.5, 1.0, -0.7, 0.8, -0.7]]
+TRUTHS = np.array(
+    [[-3.6, 1.1, 2.6, 1.3, 0.5], [-0.2, -1.3, 2.2, 1.6, -0.3], [2.6, 1.3, 1.5, 2.8, 0.25], [3.6, -1.7, 2.4, 1.0, 0.9]]
+)
+STARTS = TRUTHS + [
+    [1.1, 0.8, -0.9, 0.6, -0.55],
+    [-1.9, 0.3, 0.9, -0.7, 0.5],
+    [-0.9, -0.9, 0.9, -1.1, -0.5],
+    [1.5, 1.0, -0.7, 0.8, -0.7],
+]
 #: The share of the step that each number takes: an angle moves the corners of a long box by more than its own change.
 SHARE = np.array([1.0, 1.0, 1.0, 1.0, 0.4])
 COLORS = [style.BLUE, style.TEAL, style.GOLD, style.RED]

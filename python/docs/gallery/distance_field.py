@@ -1,7 +1,7 @@
 """Signed distance of a polygon, with its gradient
 
-Lines join places of equal distance, orange ones inside. Arrows are the gradient by the point: of length one, towards the
-outside, also in the notches. The same call returns the gradient by every vertex of the polygon.
+Lines join places of equal distance, orange ones inside. Arrows are the gradient by the point: of length one, towards
+the outside, also in the notches. The same call returns the gradient by every vertex of the polygon.
 """
 
 import numpy as np
@@ -9,8 +9,20 @@ import style
 
 import geograd
 
-RING = [(-2.9, -1.7), (-0.7, -1.9), (0.2, -0.5), (1.2, -1.8), (3.0, -1.2), (2.2, 0.3), (3.1, 1.8), (0.9, 1.2),
-        (-0.4, 2.1), (-1.1, 0.7), (-3.0, 1.3), (-2.1, -0.1)]
+RING = [
+    (-2.9, -1.7),
+    (-0.7, -1.9),
+    (0.2, -0.5),
+    (1.2, -1.8),
+    (3.0, -1.2),
+    (2.2, 0.3),
+    (3.1, 1.8),
+    (0.9, 1.2),
+    (-0.4, 2.1),
+    (-1.1, 0.7),
+    (-3.0, 1.3),
+    (-2.1, -0.1),
+]
 X, Y = (-4.6, 4.6), (-3.1, 3.1)
 
 
@@ -25,7 +37,9 @@ def draw():
     figure, axes = style.axes(size=(8.6, 5.6))
     x, y = style.grid(X, Y, 241)
     value, _ = field(x, y)
-    style.shade(figure, axes, value, X, Y, style.SIGNED, -1.8, 1.8, [-1.5, -1, -0.5, 0, 0.5, 1, 1.5], "signed distance")
+    style.shade(
+        figure, axes, value, X, Y, style.SIGNED, -1.8, 1.8, [-1.5, -1, -0.5, 0, 0.5, 1, 1.5], "signed distance"
+    )
     axes.contour(x, y, value, np.arange(0.3, 2.4, 0.3), colors=style.BLUE, linewidths=0.7)
     axes.contour(x, y, value, np.arange(-1.2, -0.1, 0.3), colors=style.ORANGE, linewidths=0.9, linestyles="solid")
     style.outline(axes, RING, style.INK, fill=0, width=2.4, zorder=4)

@@ -1,7 +1,7 @@
 """The least rectangle and the smallest circle around a polygon
 
-Arrows are the derivatives of the area and of the radius by every vertex. Only the vertices that carry the figure have one:
-the others may move a little without changing it.
+Arrows are the derivatives of the area and of the radius by every vertex. Only the vertices that carry the figure have
+one: the others may move a little without changing it.
 """
 
 import numpy as np
@@ -26,8 +26,15 @@ def draw():
     style.box(left, rectangle, style.ORANGE, fill=0.08, width=2.2)
     left.set_title(f"Least rectangle, area {rectangle[2] * rectangle[3]:.2f}")
     circle, turn = by_vertices(geograd.minimum_circle, lambda _: np.array([0, 0, 1.0]))
-    right.add_patch(style.plt.Circle(circle[:2], circle[2], facecolor=(*style.matplotlib.colors.to_rgb(style.TEAL), 0.08),
-                                     edgecolor=style.TEAL, linewidth=2.2))
+    right.add_patch(
+        style.plt.Circle(
+            circle[:2],
+            circle[2],
+            facecolor=(*style.matplotlib.colors.to_rgb(style.TEAL), 0.08),
+            edgecolor=style.TEAL,
+            linewidth=2.2,
+        )
+    )
     right.set_title(f"Smallest circle, radius {circle[2]:.2f}")
     for axes, slopes, size in ((left, slope, 0.28), (right, turn, 1.1)):
         style.outline(axes, CORNERS, style.BLUE, fill=0.16, width=2.0, zorder=3)

@@ -1,7 +1,7 @@
 """Derivatives at kinks
 
-The line is the value, the thin lines the slopes of both sides, and the thick bar the derivative that the library returns
-at the kink: the mean of the sides where two branches tie or a bound is met, zero for a norm at zero.
+The line is the value, the thin lines the slopes of both sides, and the thick bar the derivative that the library
+returns at the kink: the mean of the sides where two branches tie or a bound is met, zero for a norm at zero.
 """
 
 import numpy as np
@@ -48,8 +48,15 @@ def draw():
         axes.plot(0, at, "o", color=style.INK, markersize=6, zorder=5)
         axes.set_title(text)
         below, above, returned = (f"{number:.4g}".replace("-", "−") for number in (*sides, slope))
-        axes.text(0.5, -0.2, f"sides {below} and {above},\nreturned {returned}", transform=axes.transAxes, ha="center",
-                  va="top", color=style.INK)
+        axes.text(
+            0.5,
+            -0.2,
+            f"sides {below} and {above},\nreturned {returned}",
+            transform=axes.transAxes,
+            ha="center",
+            va="top",
+            color=style.INK,
+        )
         axes.set(xlim=(-1.2, 1.2), ylim=(-1.3, 1.3), xticks=[-1, 0, 1], yticks=[-1, 0, 1])
         axes.set_aspect("equal")
         axes.grid(color=style.LINE, linewidth=0.7)

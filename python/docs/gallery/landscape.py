@@ -1,7 +1,7 @@
 """IoU and GIoU of two rotated boxes, with their gradients
 
-The orange box stays; the colour is the score of the blue one, by the place of its centre. Arrows are the gradient. IoU has
-none where the boxes are apart; GIoU has one everywhere, and a descent of its loss brings boxes together from afar.
+The orange box stays; the colour is the score of the blue one, by the place of its centre. Arrows are the gradient. IoU
+has none where the boxes are apart; GIoU has one everywhere, and a descent of its loss brings boxes together from afar.
 """
 
 import numpy as np
@@ -32,7 +32,14 @@ def draw():
         size = np.hypot(by_guess[..., 0], by_guess[..., 1])
         share = np.where(size > 1e-9, 0.5 * (size / size.max()) ** 0.5 / np.maximum(size, 1e-9), 0)
         moved = share > 0
-        style.arrows(axes, x[moved], y[moved], (share * by_guess[..., 0])[moved], (share * by_guess[..., 1])[moved], width=0.0052)
+        style.arrows(
+            axes,
+            x[moved],
+            y[moved],
+            (share * by_guess[..., 0])[moved],
+            (share * by_guess[..., 1])[moved],
+            width=0.0052,
+        )
         axes.plot(x[~moved], y[~moved], ".", color=style.SOFT, markersize=2.5)
         style.box(axes, TRUTH, style.ORANGE, fill=0.22, width=2.4, zorder=4)
         style.box(axes, [-3.4, -2.2, *SIZE], style.BLUE, fill=0.30, width=2.0, zorder=4)

@@ -1,7 +1,7 @@
 """A distance of your own: shapes blended into one
 
-A function of five lines: the smooth minimum of the distances of a box, a circle and a capsule, recorded once. The library
-differentiates it; arrows are the gradient by the point, which follows the blend.
+A function of five lines: the smooth minimum of the distances of a box, a circle and a capsule, recorded once. The
+library differentiates it; arrows are the gradient by the point, which follows the blend.
 """
 
 import numpy as np
@@ -33,7 +33,9 @@ def draw():
     figure, axes = style.axes(size=(8.6, 5.3))
     x, y = style.grid(X, Y, 241)
     value, _ = field(x, y)
-    style.shade(figure, axes, value, X, Y, style.SIGNED, -1.6, 1.6, [-1.5, -1, -0.5, 0, 0.5, 1, 1.5], "blended distance")
+    style.shade(
+        figure, axes, value, X, Y, style.SIGNED, -1.6, 1.6, [-1.5, -1, -0.5, 0, 0.5, 1, 1.5], "blended distance"
+    )
     axes.contour(x, y, value, np.arange(0.25, 3, 0.25), colors=style.BLUE, linewidths=0.6)
     axes.contour(x, y, value, np.arange(-1.5, -0.1, 0.25), colors=style.ORANGE, linewidths=0.8, linestyles="solid")
     axes.contour(x, y, value, [0.0], colors=style.INK, linewidths=2.4)
@@ -41,7 +43,9 @@ def draw():
     _, slope = field(x, y)
     style.arrows(axes, x, y, 0.32 * slope[..., 0], 0.32 * slope[..., 1], width=0.0034)
     style.box(axes, BODY, style.SOFT, fill=0, width=1.2, linestyle=(0, (4, 3)), zorder=3)
-    axes.add_patch(style.plt.Circle(HEAD[:2], HEAD[2], fill=False, edgecolor=style.SOFT, linewidth=1.2, linestyle=(0, (4, 3))))
+    axes.add_patch(
+        style.plt.Circle(HEAD[:2], HEAD[2], fill=False, edgecolor=style.SOFT, linewidth=1.2, linestyle=(0, (4, 3)))
+    )
     style.outline(axes, capsule(ARM), style.SOFT, fill=0, width=1.2, linestyle=(0, (4, 3)), zorder=3)
     style.map_axes(axes, X, Y)
     return figure

@@ -18,15 +18,37 @@ RISING = LinearSegmentedColormap.from_list("rising", ["#f7fafc", "#cfe1ee", "#8f
 #: Inside (warm), border (white), outside (cold).
 SIGNED = LinearSegmentedColormap.from_list("signed", ["#d8612c", "#f0b088", "#ffffff", "#a9cbe3", "#4a8dbf"])
 
-plt.rcParams.update({
-    "figure.facecolor": PAPER, "axes.facecolor": PAPER, "savefig.facecolor": PAPER,
-    "font.family": "DejaVu Sans", "font.size": 11, "axes.titlesize": 12, "axes.titleweight": "bold",
-    "axes.titlelocation": "left", "axes.titlepad": 9, "axes.labelsize": 11, "text.color": INK,
-    "axes.labelcolor": INK, "axes.titlecolor": INK, "axes.edgecolor": LINE, "axes.linewidth": 1.0,
-    "xtick.color": SOFT, "ytick.color": SOFT, "xtick.labelsize": 10, "ytick.labelsize": 10,
-    "axes.spines.top": False, "axes.spines.right": False, "legend.frameon": False, "legend.fontsize": 10,
-    "lines.linewidth": 2.0, "lines.solid_capstyle": "round", "svg.fonttype": "path", "svg.hashsalt": "geograd",
-})
+plt.rcParams.update(
+    {
+        "figure.facecolor": PAPER,
+        "axes.facecolor": PAPER,
+        "savefig.facecolor": PAPER,
+        "font.family": "DejaVu Sans",
+        "font.size": 11,
+        "axes.titlesize": 12,
+        "axes.titleweight": "bold",
+        "axes.titlelocation": "left",
+        "axes.titlepad": 9,
+        "axes.labelsize": 11,
+        "text.color": INK,
+        "axes.labelcolor": INK,
+        "axes.titlecolor": INK,
+        "axes.edgecolor": LINE,
+        "axes.linewidth": 1.0,
+        "xtick.color": SOFT,
+        "ytick.color": SOFT,
+        "xtick.labelsize": 10,
+        "ytick.labelsize": 10,
+        "axes.spines.top": False,
+        "axes.spines.right": False,
+        "legend.frameon": False,
+        "legend.fontsize": 10,
+        "lines.linewidth": 2.0,
+        "lines.solid_capstyle": "round",
+        "svg.fonttype": "path",
+        "svg.hashsalt": "geograd",
+    }
+)
 
 
 def axes(columns=1, rows=1, size=(8.0, 4.5), **options):
@@ -51,8 +73,15 @@ def map_axes(own, x=None, y=None, ticks=False):
 def outline(own, corners, color, fill=0.18, width=2.0, edge=1.0, **options):
     """Adds a polygon: its outline, and its inside as a tint; `fill` and `edge` are opacities."""
     tint, line = matplotlib.colors.to_rgba(color, fill), matplotlib.colors.to_rgba(color, edge)
-    patch = Polygon(np.asarray(corners).reshape(-1, 2), closed=True, facecolor=tint, edgecolor=line, linewidth=width,
-                    joinstyle="round", **options)
+    patch = Polygon(
+        np.asarray(corners).reshape(-1, 2),
+        closed=True,
+        facecolor=tint,
+        edgecolor=line,
+        linewidth=width,
+        joinstyle="round",
+        **options,
+    )
     own.add_patch(patch)
     return patch
 
@@ -70,7 +99,9 @@ def arrows(own, x, y, u, v, color=INK, **options):
 
 def shade(figure, own, values, x, y, colors, low, high, ticks, label=None, height=0.82):
     """Adds a field as colours, with a bar; `values` are on a grid of the ranges `x` and `y`."""
-    image = own.imshow(values, extent=(*x, *y), origin="lower", cmap=colors, vmin=low, vmax=high, interpolation="bilinear")
+    image = own.imshow(
+        values, extent=(*x, *y), origin="lower", cmap=colors, vmin=low, vmax=high, interpolation="bilinear"
+    )
     bar = figure.colorbar(image, ax=own, shrink=height, pad=0.02, aspect=26, ticks=ticks)
     bar.outline.set_visible(False)
     bar.ax.tick_params(length=0)

@@ -1,7 +1,7 @@
 """Non-maximum suppression of rotated boxes
 
-A detector answers every object many times. `geograd.iou.suppress` keeps the best box of each, here at an IoU of 0.3, and
-lets crossing objects live, since it compares the boxes themselves and not their bounds.
+A detector answers every object many times. `geograd.iou.suppress` keeps the best box of each, here at an IoU of 0.3,
+and lets crossing objects live, since it compares the boxes themselves and not their bounds.
 """
 
 import numpy as np
@@ -9,8 +9,16 @@ import style
 
 import geograd
 
-OBJECTS = np.array([[-3.3, 0.9, 3.2, 1.0, 0.7], [-3.0, 1.0, 3.0, 0.9, -0.75], [0.5, -0.9, 2.6, 1.3, 0.1], [3.4, 0.9, 3.2, 1.0, -0.4],
-                    [3.7, -1.3, 1.2, 2.0, 0.3], [0.3, 1.5, 2.2, 0.8, -0.1]])
+OBJECTS = np.array(
+    [
+        [-3.3, 0.9, 3.2, 1.0, 0.7],
+        [-3.0, 1.0, 3.0, 0.9, -0.75],
+        [0.5, -0.9, 2.6, 1.3, 0.1],
+        [3.4, 0.9, 3.2, 1.0, -0.4],
+        [3.7, -1.3, 1.2, 2.0, 0.3],
+        [0.3, 1.5, 2.2, 0.8, -0.1],
+    ]
+)
 COLORS = [style.BLUE, style.ORANGE, style.TEAL, style.GOLD, style.RED, "#6b4fa0"]
 
 
@@ -34,7 +42,14 @@ def draw():
                 continue
             style.box(axes, boxes[row], COLORS[owner[row]], fill=0.16, width=2.4)
             highest = max(geograd.corners(boxes[row], kind="Obb2").array.reshape(4, 2), key=lambda corner: corner[1])
-            axes.text(highest[0], highest[1] + 0.12, f"{scores[row]:.2f}", ha="center", va="bottom", color=COLORS[owner[row]])
+            axes.text(
+                highest[0],
+                highest[1] + 0.12,
+                f"{scores[row]:.2f}",
+                ha="center",
+                va="bottom",
+                color=COLORS[owner[row]],
+            )
         axes.set_title(text)
         style.map_axes(axes, (-5.3, 5.6), (-2.9, 2.9))
     return figure

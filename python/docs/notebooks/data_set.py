@@ -1,8 +1,8 @@
 # %% [markdown]
 # # A data set under Ray
 #
-# Rows of a data set have boxes in columns of Arrow. Ray spreads blocks of them over processes, and geograd reads the columns
-# without a copy.
+# Rows of a data set have boxes in columns of Arrow. Ray spreads blocks of them over processes, and geograd
+# reads the columns without a copy.
 
 # %%
 import importlib.util
@@ -30,9 +30,22 @@ if not missing:
 
     draw = np.random.default_rng(5)
     frames = np.repeat(np.arange(400), 25)
-    truths = np.concatenate([draw.uniform(0, 80, (len(frames), 2)), draw.uniform(2, 5, (len(frames), 2)), draw.uniform(-3, 3, (len(frames), 1))], 1)
+    truths = np.concatenate(
+        [
+            draw.uniform(0, 80, (len(frames), 2)),
+            draw.uniform(2, 5, (len(frames), 2)),
+            draw.uniform(-3, 3, (len(frames), 1)),
+        ],
+        1,
+    )
     found = truths + draw.normal(0, [0.3, 0.3, 0.2, 0.2, 0.08], truths.shape)
-    table = pa.table({"frame": frames, "found": geograd.arrow.column(found), "truth": geograd.arrow.column(truths)})
+    table = pa.table(
+        {
+            "frame": frames,
+            "found": geograd.arrow.column(found),
+            "truth": geograd.arrow.column(truths),
+        }
+    )
     print(table.schema)
 
 # %% [markdown]
@@ -49,7 +62,8 @@ if not missing:
 # %% [markdown]
 # ## Average precision of all frames
 #
-# Pairs are formed within frames: `groups` has where each frame begins. One call finds them, and another one judges them.
+# Pairs are formed within frames: `groups` has where each frame begins. One call finds them, and another one
+# judges them.
 
 # %%
 if not missing:
@@ -57,7 +71,9 @@ if not missing:
     offsets = np.arange(0, len(found) + 1, 25)
     pairs = geograd.iou.above(found, truths, 0.3, groups=(offsets, offsets), kind="Obb2")
     for threshold in (0.5, 0.7, 0.8):
-        outcomes = geograd.metric.outcomes(scores, len(truths), pairs, threshold, groups=(offsets, offsets))
+        outcomes = geograd.metric.outcomes(
+            scores, len(truths), pairs, threshold, groups=(offsets, offsets)
+        )
         curve = geograd.metric.curve(scores, outcomes, len(truths))
         print(f"IoU {threshold}: average precision {geograd.metric.average_precision(curve):.3f}")
 

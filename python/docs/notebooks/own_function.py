@@ -1,8 +1,8 @@
 # %% [markdown]
 # # A function of your own, and its gradient checked
 #
-# A cost of two cars is written once, recorded, differentiated and run on a batch. Then the harness looks for a fault in a gradient
-# that was written by hand.
+# A cost of two cars is written once, recorded, differentiated and run on a batch. Then the harness looks for
+# a fault in a gradient that was written by hand.
 
 # %%
 import numpy as np
@@ -12,8 +12,9 @@ import geograd
 # %% [markdown]
 # ## Record it
 #
-# Annotations say which shapes the arguments are. Calls of other verbs are part of the recording; `geograd.where` and
-# `geograd.maximum` stand where plain code would have an `if`.
+# Annotations say which shapes the arguments are. Calls of other verbs are part of the recording;
+# `geograd.where` and `geograd.maximum` stand where plain code would have an `if`.
+
 
 # %%
 @geograd.function
@@ -41,8 +42,8 @@ print(*str(cost.program).splitlines()[:8], "…", sep="\n")
 # %% [markdown]
 # ## Check it
 #
-# The harness draws random inputs, and those that are hard for the shapes: boxes that touch, parallel sides, sizes near zero. It compares
-# derivatives with differences at falling steps, and knows kinks from faults.
+# The harness draws random inputs, and those that are hard for the shapes: boxes that touch, parallel sides,
+# sizes near zero. It compares derivatives with differences at falling steps, and knows kinks from faults.
 
 # %%
 report = geograd.check(cost, samples=100)
@@ -50,8 +51,9 @@ report = geograd.check(cost, samples=100)
 # %% [markdown]
 # ## A gradient by hand
 #
-# The distance of a point from a segment is a few lines, and so is its gradient. This one forgets that the foot of the point stops at the
-# second end.
+# The distance of a point from a segment is a few lines, and so is its gradient. This one forgets that the
+# foot of the point stops at the second end.
+
 
 # %%
 def away(point, segment):
@@ -78,8 +80,9 @@ def gradient(point, segment):
 report = geograd.check(distance, gradient, samples=50, resolution=1e-10)
 
 # %% [markdown]
-# The report names the argument at fault, a small input, and what the witnesses say there. With the two lines of the fault left out the
-# same check passes:
+# The report names the argument at fault, a small input, and what the witnesses say there. With the two lines
+# of the fault left out the same check passes:
+
 
 # %%
 def mended(point, segment):

@@ -1,8 +1,8 @@
 # %% [markdown]
 # # A robot keeps its distance
 #
-# A vehicle with a rectangular outline drives through a yard. Its path is a list of poses; the gradient of the clearance moves all poses
-# away from obstacles at once.
+# A vehicle with a rectangular outline drives through a yard. Its path is a list of poses; the gradient of the
+# clearance moves all poses away from obstacles at once.
 
 # %%
 import matplotlib.pyplot as plt
@@ -11,14 +11,17 @@ import numpy as np
 import geograd
 
 LENGTH, WIDTH, MARGIN = 1.6, 0.8, 0.35
-boxes = np.array([[3.2, 0.9, 1.6, 1.6, 0.5], [6.4, -1.3, 2.4, 1.2, -0.3], [8.8, 1.6, 1.2, 2.2, 0.2]])
+boxes = np.array(
+    [[3.2, 0.9, 1.6, 1.6, 0.5], [6.4, -1.3, 2.4, 1.2, -0.3], [8.8, 1.6, 1.2, 2.2, 0.2]]
+)
 posts = np.array([[4.9, 2.6, 0.35], [5.0, -2.6, 0.3], [10.4, -0.9, 0.4]])
 
 # %% [markdown]
 # ## The clearance of a pose
 #
-# A pose is a place and a heading. The clearance of a vehicle from an obstacle is the signed distance of two shapes: negative where
-# they overlap, so that it has a gradient there, too.
+# A pose is a place and a heading. The clearance of a vehicle from an obstacle is the signed distance of two
+# shapes: negative where they overlap, so that it has a gradient there, too.
+
 
 # %%
 @geograd.function
@@ -35,14 +38,17 @@ def from_post(pose: 3, post: geograd.Circle):
 
 def clearances(poses):
     """The signed distance of each pose from each obstacle, and its gradient by the pose."""
-    found = [from_box.value_grad(poses, box) for box in boxes] + [from_post.value_grad(poses, post) for post in posts]
+    found = [from_box.value_grad(poses, box) for box in boxes] + [
+        from_post.value_grad(poses, post) for post in posts
+    ]
     return np.stack([value for value, _ in found]), np.stack([grads[0] for _, grads in found])
 
 
 # %% [markdown]
 # ## The descent
 #
-# Each step pulls neighbours together, turns the vehicle along its way, and pushes poses out of the margin around obstacles.
+# Each step pulls neighbours together, turns the vehicle along its way, and pushes poses out of the margin
+# around obstacles.
 
 # %%
 COUNT = 60
@@ -72,10 +78,14 @@ for x, y, radius in posts:
     axes.add_patch(plt.Circle((x, y), radius, facecolor="#5b6975", edgecolor="#22303c"))
 for path, color in ((start, "#d8612c"), (poses, "#2166ac")):
     for pose in path[::3]:
-        corners = geograd.corners([pose[0], pose[1], LENGTH, WIDTH, pose[2]], kind="Obb2").array.reshape(4, 2)
+        corners = geograd.corners(
+            [pose[0], pose[1], LENGTH, WIDTH, pose[2]], kind="Obb2"
+        ).array.reshape(4, 2)
         axes.fill(*corners.T, fill=False, edgecolor=color, linewidth=1.0, alpha=0.7)
     axes.plot(*path[:, :2].T, color=color)
-axes.set(xlabel="x (m)", ylabel="y (m)", title="Straight way (orange) and path after the descent (blue)")
+axes.set(
+    xlabel="x (m)", ylabel="y (m)", title="Straight way (orange) and path after the descent (blue)"
+)
 axes.set_aspect("equal")
 plt.show()
 

@@ -1,8 +1,8 @@
 # %% [markdown]
 # # Rotated boxes, learnt in PyTorch
 #
-# A small network sees an image of one rotated box and answers five numbers. Three losses train it: the smooth L1 loss of the
-# numbers, the GIoU loss of `geograd.torch`, which is that of the box itself, and their sum.
+# A small network sees an image of one rotated box and answers five numbers. Three losses train it: the smooth
+# L1 loss of the numbers, the GIoU loss of `geograd.torch`, which is that of the box itself, and their sum.
 
 # %%
 import matplotlib.pyplot as plt
@@ -19,15 +19,24 @@ SIDE, COUNT = 24, 1500
 # %% [markdown]
 # ## Images
 #
-# The signed distance of a pixel from a box draws the box: 1 inside, 0 outside, and a soft border one pixel wide.
+# The signed distance of a pixel from a box draws the box: 1 inside, 0 outside, and a soft border one pixel
+# wide.
 
 # %%
 draw = np.random.default_rng(1)
-boxes = np.stack([
-    draw.uniform(8, 16, COUNT), draw.uniform(8, 16, COUNT), draw.uniform(8, 13, COUNT), draw.uniform(3, 6, COUNT),
-    draw.uniform(-np.pi / 2, np.pi / 2, COUNT),
-], -1)
-pixels = geograd.Vec2(np.stack(np.meshgrid(np.arange(SIDE), np.arange(SIDE)), -1).reshape(-1, 2).astype(float))
+boxes = np.stack(
+    [
+        draw.uniform(8, 16, COUNT),
+        draw.uniform(8, 16, COUNT),
+        draw.uniform(8, 13, COUNT),
+        draw.uniform(3, 6, COUNT),
+        draw.uniform(-np.pi / 2, np.pi / 2, COUNT),
+    ],
+    -1,
+)
+pixels = geograd.Vec2(
+    np.stack(np.meshgrid(np.arange(SIDE), np.arange(SIDE)), -1).reshape(-1, 2).astype(float)
+)
 away = geograd.signed_distance.all_pairs(pixels, geograd.Obb2(boxes)).T.reshape(COUNT, SIDE, SIDE)
 images = np.clip(0.5 - away, 0, 1) + draw.normal(0, 0.15, away.shape)
 print(images.shape)
@@ -37,13 +46,19 @@ print(images.shape)
 #
 # The heading of a box has a period of π, so the network answers the sine and cosine of twice the heading.
 
+
 # %%
 def network():
     torch.manual_seed(2)
     return torch.nn.Sequential(
-        torch.nn.Conv2d(1, 16, 3, stride=2, padding=1), torch.nn.ReLU(),
-        torch.nn.Conv2d(16, 32, 3, stride=2, padding=1), torch.nn.ReLU(),
-        torch.nn.Flatten(), torch.nn.Linear(32 * 36, 64), torch.nn.ReLU(), torch.nn.Linear(64, 6),
+        torch.nn.Conv2d(1, 16, 3, stride=2, padding=1),
+        torch.nn.ReLU(),
+        torch.nn.Conv2d(16, 32, 3, stride=2, padding=1),
+        torch.nn.ReLU(),
+        torch.nn.Flatten(),
+        torch.nn.Linear(32 * 36, 64),
+        torch.nn.ReLU(),
+        torch.nn.Linear(64, 6),
     )
 
 
@@ -78,12 +93,18 @@ def trained(loss, steps=400):
         adam.step()
         if step % 10 == 9:
             with torch.no_grad():
-                scores.append(geograd.torch.iou(decoded(model(x[test])), y[test], kind="Obb2").mean().item())
+                scores.append(
+                    geograd.torch.iou(decoded(model(x[test])), y[test], kind="Obb2").mean().item()
+                )
     return model, scores
 
 
 giou = geograd.torch.GIoULoss()
-losses = {"smooth L1": smooth_l1, "GIoU": giou, "sum of both": lambda found, truth: smooth_l1(found, truth) + giou(found, truth)}
+losses = {
+    "smooth L1": smooth_l1,
+    "GIoU": giou,
+    "sum of both": lambda found, truth: smooth_l1(found, truth) + giou(found, truth),
+}
 runs = {name: trained(loss) for name, loss in losses.items()}
 for name, (_, scores) in runs.items():
     print(f"{name}: mean IoU {scores[-1]:.2f} on {COUNT - 1250} images that were not trained on")
@@ -98,8 +119,8 @@ axes.legend()
 plt.show()
 
 # %% [markdown]
-# The loss of numbers was weighed by hand for these images: six pixels to a radian. GIoU needs no weight; alone it starts more slowly,
-# and the sum is best here.
+# The loss of numbers was weighed by hand for these images: six pixels to a radian. GIoU needs no weight;
+# alone it starts more slowly, and the sum is best here.
 #
 # ## Some answers
 
@@ -118,5 +139,5 @@ for k, axes in enumerate(panels):
 plt.show()
 
 # %% [markdown]
-# Orange is the truth, blue the answer. Other losses have the same form: `DIoULoss`, `CIoULoss`, `KFIoULoss`, and
-# `geograd.torch.Loss("probiou")` for any score of two boxes.
+# Orange is the truth, blue the answer. Other losses have the same form: `DIoULoss`, `CIoULoss`, `KFIoULoss`,
+# and `geograd.torch.Loss("probiou")` for any score of two boxes.

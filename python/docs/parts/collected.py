@@ -61,4 +61,7 @@ def make(pages):
             parts[::2] = [re.sub(r"^#", "##", part, flags=re.M) for part in parts[::2]]
             text = f"# {title}\n\n" + "".join(parts)
         head, _, rest = text.partition("\n\n")
-        write(pages / name, f"{head}\n\n{NOTES.get(name, '')}\n{rest}\n\n---\n\n[The source of this page]({BLOB}{file})\n")
+        write(
+            pages / name,
+            f"{head}\n\n{NOTES.get(name, '')}\n{rest}\n\n---\n\n[The source of this page]({BLOB}{file})\n",
+        )

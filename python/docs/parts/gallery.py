@@ -8,17 +8,29 @@ import warnings
 from . import BLOB, DOCS, write
 
 FOLDER = DOCS / "gallery"
-ORDER = ["landscape", "descent", "own_function", "arm", "distance_field", "suppression", "scan", "losses", "enclosing", "kinks"]
+ORDER = [
+    "landscape",
+    "descent",
+    "own_function",
+    "arm",
+    "distance_field",
+    "suppression",
+    "scan",
+    "losses",
+    "enclosing",
+    "kinks",
+]
 HEAD = """# Gallery
 
-Each picture is drawn by a script of the tree, with calls of the package and Matplotlib, when this site is built. No number in
-them is made up.
+Scripts of the tree draw these pictures when this site is built, with calls of the package and Matplotlib.
 """
 
 
 def said(name):
     """Returns the title and the text of a picture, of the head of its script."""
-    title, _, text = ast.get_docstring(ast.parse((FOLDER / f"{name}.py").read_text(encoding="utf-8"))).partition("\n\n")
+    title, _, text = ast.get_docstring(ast.parse((FOLDER / f"{name}.py").read_text(encoding="utf-8"))).partition(
+        "\n\n"
+    )
     return title, text
 
 
@@ -39,7 +51,9 @@ def make(pages):
     for name in ORDER:
         figure = drawn(name)
         # No date, so that the same tree draws the same bytes.
-        figure.savefig(pages / "gallery" / f"{name}.svg", bbox_inches="tight", pad_inches=0.06, metadata={"Date": None})
+        figure.savefig(
+            pages / "gallery" / f"{name}.svg", bbox_inches="tight", pad_inches=0.06, metadata={"Date": None}
+        )
         title, words = said(name)
         text.append(
             f'## {title}\n\n<div class="picture" markdown>\n![{title}](gallery/{name}.svg)\n</div>\n\n{words}\n\n'

@@ -36,7 +36,11 @@ def executed(name):
     os.environ.update(kernel)
     try:
         nbclient.NotebookClient(
-            notebook, kernel_name="python3", timeout=600, startup_timeout=180, resources={"metadata": {"path": str(FOLDER)}},
+            notebook,
+            kernel_name="python3",
+            timeout=600,
+            startup_timeout=180,
+            resources={"metadata": {"path": str(FOLDER)}},
             extra_arguments=["--IPKernelApp.log_level=ERROR"],
         ).execute()
     except nbclient.exceptions.CellExecutionError as error:
@@ -78,7 +82,9 @@ def page(notebook, name, pages):
                     file.write_text(data["image/svg+xml"], encoding="utf-8")
                 else:
                     file.write_bytes(base64.b64decode(data["image/png"]))
-                parts.append(f'<div class="picture" markdown>\n![Picture {pictures} of this notebook]({file.name})\n</div>\n')
+                parts.append(
+                    f'<div class="picture" markdown>\n![Picture {pictures} of this notebook]({file.name})\n</div>\n'
+                )
             elif "text/plain" in data:
                 printed += data["text/plain"] + "\n"
         if printed.strip():
@@ -91,12 +97,20 @@ def make(pages, run=True):
     import jupytext
 
     (pages / "notebooks").mkdir(parents=True, exist_ok=True)
-    lines = ["# Notebooks", "", "Each is executed when this site is built: results and pictures are those of its code.", ""]
+    lines = [
+        "# Notebooks",
+        "",
+        "Each is executed when this site is built: results and pictures are those of its code.",
+        "",
+    ]
     for name in ORDER:
         notebook = executed(name) if run else read(name)
         title, first = re.match(r"# (.*)\n\n(.*?)(?:\n\n|$)", notebook.cells[0].source, re.S).groups()
         text = page(notebook, name, pages)
         jupytext.write(read(name), pages / "notebooks" / f"{name}.ipynb", fmt="ipynb")
-        write(pages / "notebooks" / f"{name}.md", f"---\nhide: [toc]\n---\n\n{text}\n---\n\n[The notebook]({name}.ipynb), without results.\n")
+        write(
+            pages / "notebooks" / f"{name}.md",
+            f"---\nhide: [toc]\n---\n\n{text}\n---\n\n[The notebook]({name}.ipynb), without results.\n",
+        )
         lines += [f"## [{title}]({name}.md)", "", first, ""]
     write(pages / "notebooks" / "index.md", "\n".join(lines))

@@ -52,7 +52,7 @@ def signature(node, name=None, owner=False):
     own = node.args
     plain = [*own.posonlyargs, *own.args]
     defaults = [None] * (len(plain) - len(own.defaults)) + list(own.defaults)
-    parts = [one(argument, default) for argument, default in zip(plain, defaults)][1 if owner else 0:]
+    parts = [one(argument, default) for argument, default in zip(plain, defaults)][1 if owner else 0 :]
     if own.vararg:
         parts.append(f"*{own.vararg.arg}")
     elif own.kwonlyargs:
@@ -94,13 +94,24 @@ def is_property(node):
 
 def shapes(classes):
     """Returns the page of shapes: a table of numbers each."""
-    text = ["# Shapes", "", "A shape is an array whose last axis has the numbers of one, in the order of the table. Its attributes",
-            "have the names of the fields: `boxes.center.x`, `boxes.heading`. `geograd.Obb2(array)` lends an array without a copy.", ""]
+    text = [
+        "# Shapes",
+        "",
+        "A shape is an array whose last axis has the numbers of one, in the order of the table. Its attributes",
+        "have the names of the fields: `boxes.center.x`, `boxes.heading`.",
+        "",
+    ]
     for node in classes:
         doc = inspect.cleandoc(ast.get_docstring(node)).splitlines()
         rows = [line.strip().split(": ", 1) for line in doc[1:] if line.strip()]
-        text += [f"## `{node.name}`", "", f"{len(rows)} numbers." if len(rows) > 1 else "One number.", "",
-                 "| place | name | meaning |", "| --- | --- | --- |"]
+        text += [
+            f"## `{node.name}`",
+            "",
+            f"{len(rows)} numbers." if len(rows) > 1 else "One number.",
+            "",
+            "| place | name | meaning |",
+            "| --- | --- | --- |",
+        ]
         text += [f"| {place} | `{name}` | {meaning} |" for place, (name, meaning) in enumerate(rows)]
         text.append("")
     return "\n".join(text)
@@ -108,8 +119,13 @@ def shapes(classes):
 
 def verbs(classes, known):
     """Returns the page of verbs: a table of rows each."""
-    text = ["# Verbs", "", "A verb is one name for a function of many shapes. Its shapes choose the row. Each verb has the forms on the",
-            "page of [`geograd`](geograd.md), such as `value_grad` and `all_pairs`.", ""]
+    text = [
+        "# Verbs",
+        "",
+        "A verb is one name for a function of many shapes. Its shapes choose the row. Each verb has the forms on the",
+        "page of [`geograd`](geograd.md), such as `value_grad` and `all_pairs`.",
+        "",
+    ]
     for node in classes:
         name = node.name[1:]
         lines = inspect.cleandoc(ast.get_docstring(node)).splitlines()
@@ -124,7 +140,9 @@ def verbs(classes, known):
                 calls[-1][2] = line.strip()
         for takes, gives, special in calls:
             linked = [named(part, known) for part in takes.split(", ")]
-            text.append(f"| {', '.join(linked)} | {', '.join(named(part, known) for part in gives.split(', '))} | {special} |")
+            text.append(
+                f"| {', '.join(linked)} | {', '.join(named(part, known) for part in gives.split(', '))} | {special} |"
+            )
         text.append("")
     return "\n".join(text)
 
@@ -138,21 +156,37 @@ def named(part, known):
 
 def package(tree, classes):
     """Returns the page of functions, forms and classes of the package."""
-    text = ["# `geograd`", "", "The package itself: own functions, checks, threads, and the forms of every verb and function.",
-            "[Verbs](verbs.md) and [shapes](shapes.md) have pages of their own.", "", "## Functions", ""]
+    text = [
+        "# `geograd`",
+        "",
+        "The package itself: own functions, checks, threads, and the forms of every verb and function.",
+        "[Verbs](verbs.md) and [shapes](shapes.md) have pages of their own.",
+        "",
+        "## Functions",
+        "",
+    ]
     whole = {node.name: node for name in SOURCES for node in functions(parsed(name).body)}
     for node in functions(tree.body):
         node = whole.get(node.name, node)
         text.append(entry(f"geograd.{node.name}", signature(node), ast.get_docstring(node), 3))
     forms = next(node for node in parsed("_forms.py").body if isinstance(node, ast.ClassDef))
-    text += ["## Forms", "", "Of every verb, `geograd.iou.value_grad(a, b)`, and of every function that is recorded.", ""]
-    text += [entry(node.name, signature(node, owner=True), ast.get_docstring(node), 3) for node in functions(forms.body)]
+    text += [
+        "## Forms",
+        "",
+        "Of every verb, `geograd.iou.value_grad(a, b)`, and of every function that is recorded.",
+        "",
+    ]
+    text += [
+        entry(node.name, signature(node, owner=True), ast.get_docstring(node), 3) for node in functions(forms.body)
+    ]
     text += ["## Classes", ""]
     for node in sorted((node for node in classes if node.name in OWN), key=lambda node: OWN.index(node.name)):
         text.append(entry(f"geograd.{node.name}", None, ast.get_docstring(node), 3))
         for own in functions(node.body):
             call = own.name if is_property(own) else signature(own, owner=True)
-            text.append(f"* `{' '.join(call.split())}`: {said(own)}" if said(own) else f"* `{' '.join(call.split())}`")
+            text.append(
+                f"* `{' '.join(call.split())}`: {said(own)}" if said(own) else f"* `{' '.join(call.split())}`"
+            )
         text.append("")
     return "\n".join(text)
 
@@ -170,13 +204,23 @@ def module(name):
         found = [f"`{loss}` of [`{verb}`](verbs.md#{verb})" for loss, verb in losses().items()]
         text += [f"Losses, each one minus a score: {', '.join(found)}.", ""]
     for node in tree.body:
-        if not isinstance(node, (ast.FunctionDef, ast.ClassDef)) or node.name.startswith("_") or not ast.get_docstring(node):
+        if (
+            not isinstance(node, (ast.FunctionDef, ast.ClassDef))
+            or node.name.startswith("_")
+            or not ast.get_docstring(node)
+        ):
             continue
         if isinstance(node, ast.FunctionDef):
             text.append(entry(f"geograd.{name}.{node.name}", signature(node), ast.get_docstring(node)))
             continue
         made = next((own for own in node.body if isinstance(own, ast.FunctionDef) and own.name == "__init__"), None)
-        text.append(entry(f"geograd.{name}.{node.name}", made and signature(made, node.name, owner=True), ast.get_docstring(node)))
+        text.append(
+            entry(
+                f"geograd.{name}.{node.name}",
+                made and signature(made, node.name, owner=True),
+                ast.get_docstring(node),
+            )
+        )
         for own in functions(node.body):
             if ast.get_docstring(own):
                 text.append(entry(f"{node.name}.{own.name}", signature(own, owner=True), ast.get_docstring(own), 3))
@@ -195,18 +239,30 @@ def make(pages):
     """Writes the pages of the reference."""
     tree = parsed("__init__.pyi")
     classes = [node for node in tree.body if isinstance(node, ast.ClassDef)]
-    of = {base: [node for node in classes if [ast.unparse(own) for own in node.bases] == [base]] for base in ("Shape", "Verb")}
+    of = {
+        base: [node for node in classes if [ast.unparse(own) for own in node.bases] == [base]]
+        for base in ("Shape", "Verb")
+    }
     known = {node.name for node in of["Shape"]}
     folder = pages / "reference"
     write(folder / "shapes.md", shapes(of["Shape"]))
     write(folder / "verbs.md", verbs(of["Verb"], known))
     write(folder / "geograd.md", package(tree, classes))
-    lines = ["# Reference", "", "Written from the stubs and the documentation of the package when this site is built.", "",
-             f"* [Verbs](verbs.md): {len(of['Verb'])} names, from `alpha_iou` to `winding`",
-             f"* [Shapes](shapes.md): {len(known)} kinds of boxes, bodies, lines and cameras, number by number",
-             "* [`geograd`](geograd.md): own functions, checks, forms, threads"]
+    lines = [
+        "# Reference",
+        "",
+        "Written from the stubs and the documentation of the package when this site is built.",
+        "",
+        f"* [Verbs](verbs.md): {len(of['Verb'])} names, from `alpha_iou` to `winding`",
+        f"* [Shapes](shapes.md): {len(known)} kinds of boxes, bodies, lines and cameras, number by number",
+        "* [`geograd`](geograd.md): own functions, checks, forms, threads",
+    ]
     for name in MODULES:
         write(folder / f"{name}.md", module(name))
         lines.append(f"* [`geograd.{name}`]({name}.md): {ast.get_docstring(parsed(f'{name}.py')).splitlines()[0]}")
-    lines += ["", "Rust: [the documentation of the crate](https://docs.rs/geograd) has the same verbs, with their mathematics.", ""]
+    lines += [
+        "",
+        "Rust: [the documentation of the crate](https://docs.rs/geograd) has the same verbs, with their mathematics.",
+        "",
+    ]
     write(folder / "index.md", "\n".join(lines))

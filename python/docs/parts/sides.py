@@ -1,7 +1,7 @@
 """Runs the pairs of calls on the pages "instead of", and puts their values below them.
 
-A pair is two blocks of code after a comment such as `<!-- sides: shapely within 1e-12 -->`. Blocks before it are run first, for
-both. The last line of a block is its value. A comment may record a value for builds without the library:
+A pair is two blocks of code after a comment such as `<!-- sides: shapely within 1e-12 -->`. Blocks before it are run
+first, for both. The last line of a block is its value. A comment may record a value for builds without the library:
 `says 1.5 (parry2d-f64 0.31.1)` is the library's, `right 1.5 (closed form)` an independent one.
 """
 
@@ -18,11 +18,12 @@ from . import DOCS, write
 
 FOLDER = DOCS / "pages" / "instead"
 PAIR = re.compile(
-    r"<!-- sides: (?P<library>\w+) within (?P<within>[\d.e+-]+)(?: (?P<how>says|right) (?P<number>.*?) \((?P<source>.*?)\))? -->\n"
-    r"```(?P<language>\w+)\n(?P<theirs>.*?)```\n+```python\n(?P<ours>.*?)```\n", re.S,
+    r"<!-- sides: (?P<library>\w+) within (?P<within>[\d.e+-]+)"
+    r"(?: (?P<how>says|right) (?P<number>.*?) \((?P<source>.*?)\))? -->\n"
+    r"```(?P<language>\w+)\n(?P<theirs>.*?)```\n+```python\n(?P<ours>.*?)```\n",
+    re.S,
 )
 BLOCK = re.compile(r"```python\n(.*?)```\n", re.S)
-
 
 
 @dataclass
@@ -41,7 +42,11 @@ class Pair:
     def difference(self):
         """The largest difference from the value on the left; None where there is none."""
         other = self.theirs if self.theirs is not None else self.recorded
-        return None if other is None else float(np.max(np.abs(np.asarray(self.ours, float) - np.asarray(other, float)), initial=0.0))
+        return (
+            None
+            if other is None
+            else float(np.max(np.abs(np.asarray(self.ours, float) - np.asarray(other, float)), initial=0.0))
+        )
 
 
 def value(code, names):
@@ -75,7 +80,7 @@ def pairs(text):
     """Returns all pairs of a page, run, with the places of their text."""
     names, found, place = {}, [], 0
     for match in PAIR.finditer(text):
-        for block in BLOCK.findall(text[place:match.start()]):
+        for block in BLOCK.findall(text[place : match.start()]):
             exec(compile(block, "page", "exec", dont_inherit=True), names)
         found.append((match, run(match, names)))
         place = match.end()
@@ -107,9 +112,11 @@ def page(text):
     made, place = [], 0
     for match, pair in pairs(text):
         made += [
-            text[place:match.start()],
-            f'<div class="sides" markdown>\n\n```{match["language"]} title="{match["library"]}"\n{match["theirs"]}```\n\n'
-            f'```python title="geograd"\n{match["ours"]}```\n\n</div>\n\n<div class="values" markdown>\n{said(pair)}\n</div>\n',
+            text[place : match.start()],
+            '<div class="sides" markdown>\n\n',
+            f'```{match["language"]} title="{match["library"]}"\n{match["theirs"]}```\n\n',
+            f'```python title="geograd"\n{match["ours"]}```\n\n</div>\n\n',
+            f'<div class="values" markdown>\n{said(pair)}\n</div>\n',
         ]
         place = match.end()
     return "".join([*made, text[place:]])
