@@ -16,7 +16,7 @@ DOCS = pathlib.Path(__file__).parents[1] / "docs"
 PAGES = DOCS / "pages"
 sys.path.insert(0, str(DOCS))
 
-from parts import reference, sides  # noqa: E402
+from parts import collected, reference, sides  # noqa: E402
 
 BLOCK = re.compile(r"```python\n(.*?)```\n(?:\n```text\n(.*?)```)?", re.S)
 RUN = ["index.md", "install.md", "five_minutes.md", "kinks.md"]
@@ -237,6 +237,30 @@ def test_reference_of_check_names_its_arguments(tmp_path):
     reference.make(tmp_path)
     text = (tmp_path / "reference" / "geograd.md").read_text(encoding="utf-8")
     assert "samples=200" in text and "* `samples`: how many random inputs" in text
+
+
+# Pages that the repository has already.
+
+
+def test_reports_lead_to_their_inputs(tmp_path):
+    collected.make(tmp_path)
+    text = (tmp_path / "reports.md").read_text(encoding="utf-8")
+    files = re.findall(r"\[The inputs as numbers\]\(\S+/(tests/geometry/reports/\w+\.rs)\)", text)
+    assert len(files) == len(set(files)) == text.count("\n## ") >= 11
+    assert all((DOCS.parents[1] / file).is_file() for file in files)
+    # Right value and geograd's, side by side, differ in the last digit shown at most.
+    rows = [line.split(" | ") for line in text.splitlines() if line.startswith("| [")]
+    assert len(rows) == int(re.search(r"(\d+) reports of wrong", text)[1])
+    for row in rows:
+        right, found = (np.array([float(x) for x in cell.split(", ")]) for cell in row[3:5])
+        assert np.allclose(right, found, rtol=2e-4, atol=2e-4), row
+
+
+def test_links_of_collected_pages_are_of_the_site(tmp_path):
+    assert collected.moved("python/README.md#arrays", "README.md") == collected.BLOB + "python/README.md#arrays"
+    assert collected.moved("../BENCHMARKS.md", "python/DATASETS.md") == "benchmarks.md"
+    assert collected.moved("checkers::Task", "tests/corpus/README.md") == collected.BLOB + "tests/corpus"
+    assert collected.moved("#rates", "tests/corpus/README.md") == "#rates"
 
 
 # The pictures.

@@ -17,9 +17,8 @@ PAGES = {
 }
 #: Sentences of the site that stand under the title of a page.
 NOTES = {
-    "reports.md": "Every row is a test of the repository, which runs at each change: [the inputs as numbers, and the "
-    f"independent answers]({BLOB}tests/geometry/reports). A fault of geograd's own is a report, too: "
-    "[write it](https://github.com/geograd/geograd/issues).\n",
+    "reports.md": "Every row is a test of the repository, which runs at each change. A fault of geograd's own is a report, "
+    "too: [write it](https://github.com/geograd/geograd/issues).\n",
 }
 #: Titles of pages that have none.
 TITLES = {"corpus.md": "The corpus of planted faults"}
@@ -35,9 +34,21 @@ def page(file):
     return "".join(parts).replace("```ignore\n", "```rust\n")
 
 
+def with_inputs(text):
+    """Returns the page of reports, with a link to the inputs of each field as numbers."""
+    module = (ROOT / "tests" / "geometry" / "reports" / "mod.rs").read_text(encoding="utf-8")
+    for name, file in re.findall(r'\("([^"]+)", (\w+)::reports\(\)\)', module):
+        link = f"[The inputs as numbers]({BLOB}tests/geometry/reports/{file}.rs)"
+        head = f"\n## {name}\n"
+        if head not in text:
+            raise LookupError(f"the page of reports has no heading {name!r}")
+        text = text.replace(head, f"{head}\n{link}\n")
+    return text
+
+
 def moved(target, file):
     """Returns where a link of a file leads on the site."""
-    if re.match(r"[a-z]+:|#", target):
+    if re.match(r"[a-z]+:(?!:)|#", target):
         return target
     path, _, place = target.partition("#")
     own = posixpath.normpath(posixpath.join(posixpath.dirname(file), path))
@@ -54,6 +65,8 @@ def make(pages):
     """Writes the pages."""
     for file, name in PAGES.items():
         text = page(file)
+        if name == "reports.md":
+            text = with_inputs(text)
         title = TITLES.get(name)
         if title:
             # Headings of the file are parts of the page.

@@ -4,6 +4,10 @@ import html.parser
 import urllib.parse
 
 
+#: Schemes of addresses outside the site, and of bytes in a page.
+ELSEWHERE = ("http", "https", "mailto", "data")
+
+
 class Names(html.parser.HTMLParser):
     """The links of a page and the places in it."""
 
@@ -31,7 +35,7 @@ def broken(site):
             continue
         for link in names.links:
             parts = urllib.parse.urlsplit(link)
-            if parts.scheme or parts.netloc:
+            if parts.scheme in ELSEWHERE or parts.netloc:
                 continue
             target = path if not parts.path else (path.parent / urllib.parse.unquote(parts.path)).resolve()
             if target.is_dir():
@@ -39,6 +43,6 @@ def broken(site):
             place = urllib.parse.unquote(parts.fragment)
             if not target.is_file():
                 found.append((path.relative_to(site).as_posix(), link))
-            elif place and place not in ("__comments",) and target in pages and place not in pages[target].places:
+            elif place and target in pages and place not in pages[target].places:
                 found.append((path.relative_to(site).as_posix(), link))
     return found

@@ -202,7 +202,7 @@ def module(name):
     text = [f"# `geograd.{name}`", "", markdown(ast.get_docstring(tree)), ""]
     if name == "torch":
         found = [f"`{loss}` of [`{verb}`](verbs.md#{verb})" for loss, verb in losses().items()]
-        text += [f"Losses, each one minus a score: {', '.join(found)}.", ""]
+        text += [f"Losses by the names of their scores: {', '.join(found)}.", ""]
     for node in tree.body:
         if (
             not isinstance(node, (ast.FunctionDef, ast.ClassDef))
