@@ -9,7 +9,6 @@ It needs the package and what requirements.txt beside it names. `--fast` execute
 
 import argparse
 import logging
-import os
 import pathlib
 import re
 import shutil
@@ -63,8 +62,6 @@ def sources(pages, run):
 
 def generated(pages, out):
     """Runs the generator in its strict mode."""
-    # mkdocs-material 9.8 prints an advertisement of its successor, which a log does not need.
-    os.environ.setdefault("DISABLE_MKDOCS_2_WARNING", "true")
     from mkdocs.commands.build import build
     from mkdocs.config import load_config
     from mkdocs.exceptions import Abort
@@ -74,17 +71,17 @@ def generated(pages, out):
     if (pages / "live" / "index.html").exists():
         config["nav"].insert(1, {"Live": "live/index.html"})
     config.plugins.on_startup(command="build", dirty=False)
-    counter = Counter()
-    logging.getLogger("mkdocs").addHandler(counter)
+    warnings = Warnings()
+    logging.getLogger("mkdocs").addHandler(warnings)
     try:
         build(config)
     except Abort as error:
-        raise SystemExit("\n".join([*counter.lines, str(error)])) from None
-    if counter.lines:
-        raise SystemExit("\n".join(counter.lines))
+        raise SystemExit("\n".join([*warnings.lines, str(error)])) from None
+    if warnings.lines:
+        raise SystemExit("\n".join(warnings.lines))
 
 
-class Counter(logging.Handler):
+class Warnings(logging.Handler):
     """The warnings of the generator."""
 
     def __init__(self):
