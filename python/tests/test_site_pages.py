@@ -65,7 +65,7 @@ def test_the_page_of_installation_has_both_states():
     assert (
         "in no registry yet" in before
         and "pip install ./geograd/python" in before
-        and "cargo add --path geograd" in before
+        and "cargo add --path ../geograd" in before
     )
     assert "registry yet" not in after and "pip install geograd\n" in after and "cargo add geograd\n" in after
     assert "<!-- " not in before + after
