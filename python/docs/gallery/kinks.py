@@ -1,7 +1,7 @@
 """Derivatives at kinks
 
-Lines are values, thin lines the slopes of both sides, and the thick bar is the derivative that the library returns. It is
-the mean of the sides where two branches tie or a bound is met, and zero for a norm at zero.
+Lines are values, thin lines the slopes of both sides, and the thick bar is the derivative that the library returns. It
+is the mean of the sides where two branches tie or a bound is met, and zero for a norm at zero.
 """
 
 import numpy as np

@@ -1,7 +1,7 @@
 """Non-maximum suppression of rotated boxes
 
-A detector answers every object many times. `geograd.iou.suppress` keeps the best box of each, here at an IoU of 0.3. Crossing
-objects stay, since it compares the boxes themselves and not their bounds.
+A detector answers every object many times. `geograd.iou.suppress` keeps the best box of each, here at an IoU of 0.3.
+Crossing objects stay, since it compares the boxes themselves and not their bounds.
 """
 
 import numpy as np
