@@ -71,25 +71,10 @@ def generated(pages, out):
     if (pages / "live" / "index.html").exists():
         config["nav"].insert(1, {"Live": "live/index.html"})
     config.plugins.on_startup(command="build", dirty=False)
-    warnings = Warnings()
-    logging.getLogger("mkdocs").addHandler(warnings)
     try:
         build(config)
     except Abort as error:
-        raise SystemExit("\n".join([*warnings.lines, str(error)])) from None
-    if warnings.lines:
-        raise SystemExit("\n".join(warnings.lines))
-
-
-class Warnings(logging.Handler):
-    """The warnings of the generator."""
-
-    def __init__(self):
-        super().__init__(logging.WARNING)
-        self.lines = []
-
-    def emit(self, record):
-        self.lines.append(record.getMessage())
+        raise SystemExit(str(error)) from None
 
 
 def main(arguments=None):

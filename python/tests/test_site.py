@@ -101,7 +101,8 @@ def test_links_lead_somewhere(site):
 
 def test_a_broken_link_is_found(tmp_path):
     (tmp_path / "index.html").write_text(
-        '<a href="there.html#here">x</a><a href="no.html">y</a><img src="no.png"><a href="a::B">w</a><a href="https://x">z</a>'
+        '<a href="there.html#here">x</a><a href="no.html">y</a><img src="no.png">'
+        '<a href="a::B">w</a><a href="https://x">z</a>'
     )
     (tmp_path / "there.html").write_text('<h1 id="elsewhere">x</h1>')
     assert [link for _, link in links.broken(tmp_path)] == ["there.html#here", "no.html", "no.png", "a::B"]

@@ -17,8 +17,8 @@ PAGES = {
 }
 #: Sentences of the site that stand under the title of a page.
 NOTES = {
-    "reports.md": "Every row is a test of the repository, which runs at each change. A fault of geograd's own is a report, "
-    "too: [write it](https://github.com/geograd/geograd/issues).\n",
+    "reports.md": "Every row is a test of the repository, which runs at each change. A fault of geograd's own is a "
+    "report, too: [write it](https://github.com/geograd/geograd/issues).\n",
 }
 #: Titles of pages that have none.
 TITLES = {"corpus.md": "The corpus of planted faults"}
