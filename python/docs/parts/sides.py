@@ -97,11 +97,11 @@ def shown(x):
 def said(pair):
     """Returns the line below a pair."""
     ours = f"geograd: **{shown(pair.ours)}**"
+    apart = "the same bits" if pair.difference == 0 else f"apart by {pair.difference or 0:.0e}"
     if pair.theirs is not None:
-        apart = "the same bits" if pair.difference == 0 else f"apart by {pair.difference:.0e}"
         return f"{pair.library}: **{shown(pair.theirs)}** · {ours} · {apart}"
     if pair.how == "says":
-        return f"{pair.library}: **{shown(pair.recorded)}** ({pair.source}) · {ours} · apart by {pair.difference:.0e}"
+        return f"{pair.library}: **{shown(pair.recorded)}** ({pair.source}) · {ours} · {apart}"
     if pair.how == "right":
         return f"{pair.library}: not run here · {ours} · right: **{shown(pair.recorded)}** ({pair.source})"
     return f"{pair.library}: not installed where this site was built · {ours}"
@@ -125,4 +125,6 @@ def page(text):
 def make(pages):
     """Writes the pages."""
     for path in sorted(FOLDER.glob("*.md")):
-        write(pages / "instead" / path.name, page(path.read_text(encoding="utf-8")))
+        text = page(path.read_text(encoding="utf-8"))
+        # Two columns of code need the width.
+        write(pages / "instead" / path.name, f"---\nhide: [toc]\n---\n\n{text}")
