@@ -3,7 +3,9 @@
 //! JavaScript promises no bits of its own sines, exponentials, logarithms and angles. A module has the library's: the
 //! formulas of `src/scalar/` recorded as programs, and printed as they are. Reading and writing the bits of numbers,
 //! which programs do not, is in `prelude.js`.
-use super::record::{Listed, graph_of};
+use super::blocks::{Block, formula, needed, wrapped};
+use super::graph::Node;
+use super::record::Listed;
 use super::recorded::Recorded;
 use super::source::{self, Dialect, lines, listed};
 use crate::Unrecordable;
@@ -35,7 +37,7 @@ pub(crate) fn module(name: &str, recorded: &Recorded, input: impl Fn(usize) -> S
     let results = listed(&recorded.value.outputs, &known);
     let mut text =
         "// Written by geograd. In 64-bit floats, with the bits of the library.\n\n".to_owned();
-    for block in needed(&code) {
+    for block in needed(&PRELUDE, &code) {
         let _ = writeln!(text, "{block}\n");
     }
     let _ = writeln!(text, "/**");
@@ -63,79 +65,19 @@ pub(crate) fn module(name: &str, recorded: &Recorded, input: impl Fn(usize) -> S
     text
 }
 
-/// Returns words in lines, with commas between words.
-fn wrapped(words: impl Iterator<Item = String>) -> Vec<String> {
-    const MOST: usize = 80;
-    let mut lines: Vec<String> = Vec::new();
-    for word in words {
-        match lines.last_mut() {
-            Some(line) if line.len() + word.len() <= MOST => {
-                let _ = write!(line, ", {word}");
-            }
-            _ => lines.push(word),
-        }
-    }
-    lines
-}
-
-/// Returns the declarations that a text refers to, and those that they refer to, each after what it needs.
-fn needed(code: &str) -> Vec<&'static str> {
-    let mut wanted: Vec<bool> = PRELUDE
+/// Returns the name that a line declares.
+fn declared(line: &str) -> Option<&str> {
+    let rest = ["function ", "const "]
         .iter()
-        .map(|block| block.is_named_in(code))
-        .collect();
-    // A block is needed by an earlier or a later one.
-    loop {
-        let more: Vec<usize> = (0..wanted.len())
-            .filter(|&i| !wanted[i])
-            .filter(|&i| {
-                let users = PRELUDE.iter().zip(&wanted);
-                users
-                    .into_iter()
-                    .any(|(user, &is)| is && PRELUDE[i].is_named_in(&user.text))
-            })
-            .collect();
-        if more.is_empty() {
-            break;
-        }
-        for i in more {
-            wanted[i] = true;
-        }
-    }
-    let chosen = PRELUDE.iter().zip(wanted).filter(|(_, is)| *is);
-    chosen.map(|(block, _)| &*block.text).collect()
-}
-
-/// Declarations of a module.
-struct Block {
-    names: Vec<String>,
-    text: String,
-}
-
-impl Block {
-    fn new(text: String) -> Self {
-        let declared = |line: &str| {
-            let rest = ["function ", "const "]
-                .iter()
-                .find_map(|word| line.strip_prefix(word))?;
-            Some(rest.split([' ', '(']).next()?.to_owned())
-        };
-        Block {
-            names: text.lines().filter_map(declared).collect(),
-            text,
-        }
-    }
-    /// Returns `true` if a text refers to one of its names.
-    fn is_named_in(&self, text: &str) -> bool {
-        let mut words = text.split(|c: char| c != '_' && !c.is_ascii_alphanumeric());
-        words.any(|word| self.names.iter().any(|name| name == word))
-    }
+        .find_map(|word| line.strip_prefix(word))?;
+    rest.split([' ', '(']).next()
 }
 
 /// All declarations that programs may need: of bits, and the library's formulas.
 static PRELUDE: LazyLock<Vec<Block>> = LazyLock::new(|| {
     let bits = BITS.trim_end().split("\n\n").map(str::to_owned);
-    bits.chain(elementary()).map(Block::new).collect()
+    let all = bits.chain(elementary());
+    all.map(|text| Block::new(text, declared)).collect()
 });
 
 /// Returns the elementary functions, recorded from the formulas that the library computes with.
@@ -147,19 +89,19 @@ fn elementary() -> Vec<String> {
     };
     let one = |results: &[String]| results[0].clone();
     vec![
-        formula(
+        function(
             ("The sine.", "program_sin", &["x"]),
             &far(0),
             &|x| vec![sin_cos_reduced(x[0]).0],
             &one,
         ),
-        formula(
+        function(
             ("The cosine.", "program_cos", &["x"]),
             &far(1),
             &|x| vec![sin_cos_reduced(x[0]).1],
             &one,
         ),
-        formula(
+        function(
             (
                 "The angle of the vector (x, y); of the zero vector 0.",
                 "program_atan2",
@@ -169,7 +111,7 @@ fn elementary() -> Vec<String> {
             &|yx| vec![atan2_wide(yx[0], yx[1])],
             &one,
         ),
-        formula(
+        function(
             ("The exponential.", "program_exp", &["x"]),
             "",
             &|x| exp_parts(x[0]).to_vec(),
@@ -182,7 +124,7 @@ fn elementary() -> Vec<String> {
                 )
             },
         ),
-        formula(
+        function(
             (
                 "The number, or 2^54 times it if it is subnormal.",
                 "program_normal",
@@ -192,7 +134,7 @@ fn elementary() -> Vec<String> {
             &|x| vec![normal(x[0])],
             &one,
         ),
-        formula(
+        function(
             (
                 "The logarithm of x, with the exponent and the significand of its normal number.",
                 "program_ln_from",
@@ -212,19 +154,13 @@ fn elementary() -> Vec<String> {
 }
 
 /// Returns a function of numbers, recorded from a formula of the library; `result` makes its result of the formula's.
-fn formula(
+fn function(
     (about, name, takes): (&str, &str, &[&str]),
     start: &str,
-    formula: Listed<'_, f64>,
+    recorded: Listed<'_, f64>,
     result: &dyn Fn(&[String]) -> String,
 ) -> String {
-    let (graph, outputs) = match graph_of::<f64>(takes.len(), formula) {
-        Ok(made) => made,
-        Err(_) => unreachable!("the formulas of scalars are straight lines"),
-    };
-    let mut code = String::new();
-    let known = lines(&JavaScript(takes), &graph, &mut code);
-    let results: Vec<String> = outputs.iter().map(|&x| known[x as usize].clone()).collect();
+    let (code, results) = formula(&JavaScript(takes), takes.len(), recorded);
     let (takes, result) = (takes.join(", "), result(&results));
     format!("// {about}\nfunction {name}({takes}) {{\n{start}{code}    return {result};\n}}")
 }
@@ -233,9 +169,14 @@ fn formula(
 struct JavaScript<'a>(&'a [&'a str]);
 
 impl Dialect for JavaScript<'_> {
-    const DEFINES: &'static str = "const";
     const SIGNS: [&'static str; 3] = ["===", "&&", "||"];
-    const ENDS: &'static str = "";
+
+    fn shares(&self) -> [&'static str; 2] {
+        ["0", "0.5"]
+    }
+    fn defines(&self, _node: Node) -> &'static str {
+        "const"
+    }
 
     fn literal(&self, x: f64) -> String {
         match x {
