@@ -2,6 +2,7 @@
 use super::graph::Id;
 use super::record::{Listed, graph_of};
 use super::source::{Dialect, lines};
+use std::collections::BTreeSet;
 
 /// Declarations that belong together.
 pub(crate) struct Block {
@@ -10,7 +11,7 @@ pub(crate) struct Block {
 }
 
 impl Block {
-    /// A text; `declared` returns the name that a line of it declares.
+    /// Creates a block of a text; `declared` returns the name that a line of it declares.
     pub fn new(text: String, declared: fn(&str) -> Option<&str>) -> Self {
         let names = text.lines().filter_map(declared).map(str::to_owned);
         Block {
@@ -18,36 +19,32 @@ impl Block {
             text,
         }
     }
-    /// Returns `true` if a text refers to one of its names.
-    fn is_named_in(&self, text: &str) -> bool {
-        let mut words = text.split(|c: char| c != '_' && !c.is_ascii_alphanumeric());
-        words.any(|word| self.names.iter().any(|name| name == word))
-    }
 }
 
 /// Returns the blocks that a text refers to, and those that they refer to, in the order of `all`.
 pub(crate) fn needed<'a>(all: &'a [Block], code: &str) -> Vec<&'a str> {
-    let mut wanted: Vec<bool> = all.iter().map(|block| block.is_named_in(code)).collect();
-    // A block is needed by an earlier or a later one.
-    loop {
-        let more: Vec<usize> = (0..wanted.len())
-            .filter(|&i| !wanted[i])
-            .filter(|&i| {
-                let users = all.iter().zip(&wanted);
-                users
-                    .into_iter()
-                    .any(|(user, &is)| is && all[i].is_named_in(&user.text))
-            })
-            .collect();
-        if more.is_empty() {
-            break;
-        }
-        for i in more {
-            wanted[i] = true;
+    let mut wanted = vec![false; all.len()];
+    let mut open: Vec<&str> = called(code).into_iter().collect();
+    while let Some(word) = open.pop() {
+        let declares = |block: &Block| block.names.iter().any(|name| name == word);
+        let place = all.iter().position(declares);
+        if let Some(place) = place.filter(|&place| !wanted[place]) {
+            wanted[place] = true;
+            open.extend(called(&all[place].text));
         }
     }
     let chosen = all.iter().zip(wanted).filter(|(_, is)| *is);
     chosen.map(|(block, _)| &*block.text).collect()
+}
+
+/// Returns the names of blocks in a text.
+fn called(text: &str) -> BTreeSet<&str> {
+    let name = |(at, _): (usize, &str)| {
+        let rest = &text[at..];
+        let is_part = |c: char| c == '_' || c.is_ascii_alphanumeric();
+        &rest[..rest.find(|c| !is_part(c)).unwrap_or(rest.len())]
+    };
+    text.match_indices("program_").map(name).collect()
 }
 
 /// Returns the operations of a formula of the library in a language, and the names of its results.

@@ -185,8 +185,8 @@ impl Dialect for JavaScript<'_> {
             x => format!("{x:?}"),
         }
     }
-    /// The functions of `Math` differ for NaN and for zeros of two signs.
     fn extreme(&self, is_most: bool, a: &str, b: &str) -> String {
+        // The functions of `Math` differ for NaN and for zeros of two signs.
         let sign = if is_most { '>' } else { '<' };
         format!("{a} {sign} {b} ? {a} : {b}")
     }

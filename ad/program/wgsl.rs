@@ -94,8 +94,8 @@ impl Dialect for Wgsl<'_> {
     fn select(&self, mask: &str, yes: &str, no: &str) -> String {
         format!("select({no}, {yes}, {mask})")
     }
-    /// By bits, since a driver may assume that no number is NaN.
     fn is_number(&self, x: &str) -> String {
+        // By bits, since a driver may assume that no number is NaN.
         format!("((bitcast<u32>({x}) & 0x7fffffffu) <= 0x7f800000u)")
     }
     fn name(&self, id: usize, node: Node) -> String {

@@ -134,7 +134,9 @@ def assert_numbers_are_those_of_geograd(page):
 
 
 def place(page, selector, index=0):
-    box = page.locator(selector).nth(index).bounding_box()
+    found = page.locator(selector).nth(index)
+    found.scroll_into_view_if_needed()
+    box = found.bounding_box()
     return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
 
@@ -239,6 +241,12 @@ def test_fields_have_the_values_of_geograd(opened, index):
     assert numbers(page, "field", "distance") == list(value)
     assert numbers(page, "field", "by_point") == list(by_point[0])
     assert numbers(page, "field", "by_number") == list(by_number)
+    # The mouse is where the gradient is shown; a click puts the point there.
+    x, y = place(page, "#field-stage")
+    page.mouse.move(x + 40, y + 30)
+    assert "Under the pointer" in page.locator("#field-pointer").text_content()
+    page.mouse.click(x + 40, y + 30)
+    assert page.evaluate("live.field.state.point") != point
     page.locator("#field-descend").click()
     assert abs(numbers(page, "field", "distance")[0]) < 1e-9
     picture(page, f"field-{function.__name__}")

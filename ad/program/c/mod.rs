@@ -383,8 +383,8 @@ impl Dialect for C<'_> {
             Format::F64 => format!("{x:?}"),
         }
     }
-    /// The functions of `math.h` differ for NaN.
     fn extreme(&self, is_most: bool, a: &str, b: &str) -> String {
+        // The functions of `math.h` differ for NaN.
         let sign = if is_most { '>' } else { '<' };
         format!("{a} {sign} {b} ? {a} : {b}")
     }

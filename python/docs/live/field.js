@@ -1,5 +1,5 @@
 // A signed distance field: its pixels, its value and gradient at a point, and the way of the point to the border.
-import { add, animate, arrow, drag, handle, pixel, set, show, shown } from "./stage.js";
+import { add, animate, arrow, handle, pixel, placeOf, set, show, shown } from "./stage.js";
 import { palette } from "./colours.js";
 import { FIELDS } from "./generated/fields.js";
 import { gpu } from "./gpu.js";
@@ -35,10 +35,18 @@ export function field() {
         state.path = [];
         draw();
     };
-    area.addEventListener("click", (event) => {
-        const place = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
-        put([place.x, -place.y]);
-    });
+    area.addEventListener("click", (event) => put(placeOf(svg, event)));
+    // A mouse shows the gradient where it is.
+    const under = arrow(add(svg, "g", { class: "of-pointer" }));
+    const hovered = (place) => {
+        const [distance, dx, dy] = place === null ? [0, 0, 0] : evaluated(place);
+        const [x, y] = place ?? [0, 0];
+        under.draw(Math.hypot(dx, dy) > 0.04 ? [[x, y], [x + 0.5 * dx, y + 0.5 * dy]] : [], pixel(svg));
+        document.getElementById("field-pointer").textContent = place === null ? ""
+            : `Under the pointer: ${shown(distance, 3)}, gradient (${shown(dx, 3)}, ${shown(dy, 3)}).`;
+    };
+    area.addEventListener("pointermove", (event) => event.pointerType === "mouse" && hovered(placeOf(svg, event)));
+    area.addEventListener("pointerleave", () => hovered(null));
     const nudge = (dx, dy) => put([state.point[0] + dx, state.point[1] + dy]);
     const dot = handle(svg, over, "Point of the field", put, nudge);
 

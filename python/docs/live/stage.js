@@ -18,7 +18,7 @@ export function set(element, attributes) {
 }
 
 /** The place of an event in the coordinates of a drawing, y up. */
-function placeOf(svg, event) {
+export function placeOf(svg, event) {
     const place = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
     return [place.x, -place.y];
 }
