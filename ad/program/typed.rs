@@ -331,8 +331,9 @@ where
         c::checked(name).map_err(Error::Program)?;
         Ok(c::header(name, &self.recorded, |i| In::name(i).to_string()))
     }
-    /// Returns the program as a kernel of CUDA over rows, `NAME(count, x, step, out)`: a thread computes a row of `out`
-    /// from the row of `x` that begins `step` numbers after the last. NVRTC compiles it without headers.
+    /// Returns the program as a kernel of CUDA over rows, `NAME(count, of_x, x_step, out0)`: a thread computes a row of
+    /// `out0` from a row of `of_x`. Rows of `of_x` begin `x_step` numbers after each other; 0 repeats one. NVRTC compiles
+    /// it without headers.
     ///
     /// # Errors
     ///
@@ -341,7 +342,13 @@ where
         c::checked(name).map_err(Error::Program)?;
         let arguments = [("x".to_owned(), In::LEN)];
         let input = |i| In::name(i).to_string();
-        Ok(c::kernel(name, &self.recorded, &arguments, input))
+        Ok(c::kernel(
+            name,
+            &self.recorded,
+            &arguments,
+            &[Out::LEN],
+            input,
+        ))
     }
 }
 

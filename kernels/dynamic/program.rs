@@ -366,8 +366,9 @@ impl<T: Real> Program<T> {
         c::checked(name).map_err(Error::Program)?;
         Ok(c::header(name, &self.inner.recorded, |i| self.input(i)))
     }
-    /// Returns the program as a kernel of CUDA over rows, `NAME(count, a, a_step, ..., out)`: a thread computes a row
-    /// of `out` from a row of each argument. Rows of an argument begin `step` numbers after each other; 0 repeats one.
+    /// Returns the program as a kernel of CUDA over rows, `NAME(count, of_a, a_step, ..., out0, ...)`: a thread computes
+    /// a row of every result from a row of every argument. Rows of an argument begin `a_step` numbers after each other;
+    /// 0 repeats one. Rows of a result follow each other.
     ///
     /// # Errors
     ///
@@ -381,7 +382,9 @@ impl<T: Real> Program<T> {
         let names = self.inner.names.iter().map(identifier);
         let arguments: Vec<_> = names.zip(self.inputs()).collect();
         let input = |i| self.input(i);
-        Ok(c::kernel(name, &self.inner.recorded, &arguments, input))
+        let inner = &self.inner;
+        let gives = &inner.recording.outputs;
+        Ok(c::kernel(name, &inner.recorded, &arguments, gives, input))
     }
 }
 

@@ -333,8 +333,19 @@ fn dynamic_cases<T: Number>(rows: &[&'static geograd_tests::list::Tested]) -> Ve
         let widths: Vec<usize> = program.takes().iter().map(|(_, x)| x.fields()).collect();
         let (takes, gives) = (case.inputs[0].len(), case.expected[0].len());
         let count = case.inputs.len();
-        let numbers = case.inputs.iter().chain(&case.expected).flatten();
-        let bytes = numbers.flat_map(|&x| x.bytes()).collect();
+        let results = program.gives().to_vec();
+        let mut numbers: Vec<T> = case.inputs.concat();
+        // Every result has an array of its own.
+        let (mut outs, mut types_of_outs) = (Vec::new(), Vec::new());
+        let mut from = 0;
+        for width in results {
+            let own = |item: &Vec<T>| item[from..from + width].to_vec();
+            numbers.extend(case.expected.iter().flat_map(own));
+            outs.push(format!("out + {from} * {count}"));
+            types_of_outs.push(format!("{} *", T::C));
+            from += width;
+        }
+        let bytes = numbers.iter().flat_map(|&x| x.bytes()).collect();
         // Rows of all arguments lie beside each other, so that the step is the sum of widths.
         let mut from = 0;
         let (mut arguments, mut types) = (String::new(), String::new());
@@ -344,9 +355,11 @@ fn dynamic_cases<T: Number>(rows: &[&'static geograd_tests::list::Tested]) -> Ve
             from += width;
         }
         let kind = T::C;
-        let declaration = format!("extern \"C\" void {name}(long long, {types}{kind} *);\n");
+        let (outs, types_of_outs) = (outs.join(", "), types_of_outs.join(", "));
+        let declaration =
+            format!("extern \"C\" void {name}(long long, {types}{types_of_outs});\n");
         let run = format!(
-            "    RUN_GRID({kind}, {name}, {takes}, {gives}, {count}, ({count}, {arguments}out));\n"
+            "    RUN_GRID({kind}, {name}, {takes}, {gives}, {count}, ({count}, {arguments}{outs}));\n"
         );
         (name, kernel, bytes, run, declaration)
     });

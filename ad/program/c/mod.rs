@@ -65,16 +65,18 @@ pub(crate) fn function(name: &str, recorded: &Recorded, input: impl Fn(usize) ->
     text
 }
 
-/// Returns the program as a kernel of CUDA over rows: `NAME(count, a, step, ..., out)`, where `step` is the distance of
-/// two rows of an argument in numbers, 0 for one row that serves all. Rows of `out` follow each other.
+/// Returns the program as a kernel of CUDA over rows, with results of `gives` numbers:
+/// `NAME(count, of_a, a_step, ..., out0, ...)`. A step is the distance of two rows of an argument in numbers, 0 for one
+/// row that serves all. Rows of a result follow each other.
 pub(crate) fn kernel(
     name: &str,
     recorded: &Recorded,
     arguments: &[Part],
+    gives: &[usize],
     input: impl Fn(usize) -> String,
 ) -> String {
     let kind = type_of(recorded.value.graph.format);
-    let (takes, gives) = (recorded.inputs, recorded.value.outputs.len());
+    let (takes, results) = (recorded.inputs, recorded.value.outputs.len());
     let mut text =
         "// Written by geograd. Compile it without contraction: --fmad=false.\n\n".to_owned();
     body(
@@ -95,29 +97,38 @@ pub(crate) fn kernel(
             ", const {kind} *of_{argument}, long long {argument}_step"
         );
     }
+    for k in 0..gives.len() {
+        let _ = write!(text, ", {kind} *out{k}");
+    }
     let _ = write!(
         text,
-        ", {kind} *out) {{\n\
+        ") {{\n\
          \x20   const long long row = (long long)blockIdx.x * blockDim.x + threadIdx.x;\n\
          \x20   {kind} x[{}], y[{}];\n\
          \x20   if (row >= count) {{\n        return;\n    }}\n",
         takes.max(1),
-        gives.max(1)
+        results.max(1)
     );
-    let mut from = 0;
-    for (argument, width) in arguments {
+    let copy = |text: &mut String, width: usize, to: &str, of: &str| {
         let _ = write!(
             text,
-            "    for (int i = 0; i < {width}; i += 1) {{\n\
-             \x20       x[{from} + i] = of_{argument}[row * {argument}_step + i];\n    }}\n"
+            "    for (int i = 0; i < {width}; i += 1) {{\n        {to} = {of};\n    }}\n"
         );
+    };
+    let mut from = 0;
+    for (argument, width) in arguments {
+        let of = format!("of_{argument}[row * {argument}_step + i]");
+        copy(&mut text, *width, &format!("x[{from} + i]"), &of);
         from += width;
     }
-    let _ = write!(
-        text,
-        "    program_of_row(x, y);\n    for (int i = 0; i < {gives}; i += 1) {{\n\
-         \x20       out[row * {gives} + i] = y[i];\n    }}\n}}\n"
-    );
+    text.push_str("    program_of_row(x, y);\n");
+    from = 0;
+    for (k, width) in gives.iter().enumerate() {
+        let to = format!("out{k}[row * {width} + i]");
+        copy(&mut text, *width, &to, &format!("y[{from} + i]"));
+        from += width;
+    }
+    text.push_str("}\n");
     text
 }
 
