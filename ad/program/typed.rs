@@ -331,9 +331,9 @@ where
         c::checked(name).map_err(Error::Program)?;
         Ok(c::header(name, &self.recorded, |i| In::name(i).to_string()))
     }
-    /// Returns the program as a kernel of CUDA over rows, `NAME(count, of_x, x_step, out0)`: a thread computes a row of
-    /// `out0` from a row of `of_x`. Rows of `of_x` begin `x_step` numbers after each other; 0 repeats one. NVRTC compiles
-    /// it without headers.
+    /// Returns the program as a kernel of CUDA over rows, `NAME(count, inner, of_x, x_step, x_inner, out0)`: a thread
+    /// computes row `i inner + j` of `out0` from the row of `of_x` at `i x_step + j x_inner`. NVRTC compiles it without
+    /// headers.
     ///
     /// # Errors
     ///

@@ -366,9 +366,9 @@ impl<T: Real> Program<T> {
         c::checked(name).map_err(Error::Program)?;
         Ok(c::header(name, &self.inner.recorded, |i| self.input(i)))
     }
-    /// Returns the program as a kernel of CUDA over rows, `NAME(count, of_a, a_step, ..., out0, ...)`: a thread computes
-    /// a row of every result from a row of every argument. Rows of an argument begin `a_step` numbers after each other;
-    /// 0 repeats one. Rows of a result follow each other.
+    /// Returns the program as a kernel of CUDA over rows,
+    /// `NAME(count, inner, of_a, a_step, a_inner, ..., out0, ...)`: a thread computes row `i inner + j` of every result
+    /// from the rows of arguments at `i a_step + j a_inner`. Rows of a result follow each other.
     ///
     /// # Errors
     ///

@@ -67,6 +67,7 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_function(wrap_pyfunction!(metric::judge_nuscenes, m)?)?;
     m.add_function(wrap_pyfunction!(samples::samples, m)?)?;
     m.add_function(wrap_pyfunction!(samples::hard_samples, m)?)?;
+    m.add_function(wrap_pyfunction!(samples::valid, m)?)?;
     m.add_function(wrap_pyfunction!(shapes::set_classes, m)?)?;
     m.add_function(wrap_pyfunction!(symbol::where_, m)?)?;
     m.add_function(wrap_pyfunction!(symbol::elementary, m)?)?;

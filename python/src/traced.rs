@@ -280,7 +280,7 @@ impl Program {
     fn c_header(&self, name: &str) -> PyResult<String> {
         either!(self, |program| program.c_header(name).map_err(raised))
     }
-    /// A kernel of CUDA over rows, `NAME(count, of_a, a_step, ..., out0, ...)`, for NVRTC without contraction.
+    /// A kernel of CUDA over rows, `NAME(count, inner, of_a, a_step, a_inner, ..., out0, ...)`, for NVRTC.
     #[pyo3(signature = (name="function_of"))]
     fn cuda(&self, name: &str) -> PyResult<String> {
         either!(self, |program| program.cuda(name).map_err(raised))

@@ -34,13 +34,13 @@ class OnProcessor:
         self.folder = tempfile.TemporaryDirectory()
         path = pathlib.Path(self.folder.name)
         run = (
-            '\nextern "C" void run(long long count, const long long *columns, const long long *steps, const long long *outs) {\n'
+            '\nextern "C" void run(long long count, long long inner, const long long *columns, const long long *steps, const long long *outs) {\n'
             "    for (blockIdx.x = 0; blockIdx.x * 64 < count + 64; blockIdx.x += 1) {\n"
             "        for (threadIdx.x = 0; threadIdx.x < 64; threadIdx.x += 1) {\n"
-            f"            geograd_rows(count{{}}{{}});\n        }}\n    }}\n}}\n"
+            f"            geograd_rows(count, inner{{}}{{}});\n        }}\n    }}\n}}\n"
         )
         kind = "double" if double else "float"
-        columns = "".join(f", (const {kind} *)columns[{k}], steps[{k}]" for k in range(takes))
+        columns = "".join(f", (const {kind} *)columns[{k}], steps[{2 * k}], steps[{2 * k + 1}]" for k in range(takes))
         outs = "".join(f", ({kind} *)outs[{k}]" for k in range(gives))
         run = run.replace("{}{}", columns + outs)
         (path / "kernel.cpp").write_text(f'#define GRID\n#include "{GRID}"\n{source}{run}')
@@ -50,10 +50,12 @@ class OnProcessor:
         )
         self.run = ctypes.CDLL(str(path / "kernel.so")).run
 
-    def __call__(self, device, count, columns, outs):
+    def __call__(self, device, count, inner, columns, outs):
         addresses = lambda tensors: (ctypes.c_longlong * len(tensors))(*[x.data_ptr() for x in tensors])
-        steps = (ctypes.c_longlong * len(columns))(*[step for _, step in columns])
-        self.run(ctypes.c_longlong(count), addresses([x for x, _ in columns]), steps, addresses(outs))
+        steps = [step for _, *both in columns for step in both]
+        steps = (ctypes.c_longlong * len(steps))(*steps)
+        columns = addresses([x for x, _, _ in columns])
+        self.run(ctypes.c_longlong(count), ctypes.c_longlong(inner), columns, steps, addresses(outs))
 
 
 @pytest.fixture
@@ -92,13 +94,15 @@ def test_values_and_gradients_have_the_bits_of_the_library(on_kernels, dtype):
 def test_rows_are_read_where_they_are(on_kernels):
     wide = torch.cat([torch.zeros(50, 3, dtype=torch.float64), boxes(50, 3), torch.ones(50, 2, dtype=torch.float64)], dim=1)
     a, b = wide[::2, 3:8], boxes(1, 4)[0]
-    columns = _cuda._rows(a, (25,), 5)
-    assert columns[0].data_ptr() == a.data_ptr() and columns[1] == 20
-    assert _cuda._rows(b, (25,), 5)[1] == 0
+    rows, *steps = _cuda._rows(a, (25,), 1, 5)
+    assert rows.data_ptr() == a.data_ptr() and steps[0] == 20
+    assert _cuda._rows(b, (25,), 1, 5)[1] == 0
     expected = geograd.iou(a.numpy(), b.numpy(), kind="Obb2")
     np.testing.assert_array_equal(gt.iou(a, b, kind="Obb2").numpy(), expected)
-    # Every pair: rows of either list repeat.
+    # Every pair: rows of either list repeat, and none is copied.
     c = boxes(7, 5)
+    rows, *steps = _cuda._rows(c[None], (25, 7), 7, 5)
+    assert rows.data_ptr() == c.data_ptr() and steps == [0, 5]
     matrix = gt.iou(a[:, None], c[None], kind="Obb2")
     np.testing.assert_array_equal(matrix.numpy(), geograd.iou.all_pairs(a.numpy(), c.numpy(), kind="Obb2"))
 

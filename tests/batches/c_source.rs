@@ -350,16 +350,16 @@ fn dynamic_cases<T: Number>(rows: &[&'static geograd_tests::list::Tested]) -> Ve
         let mut from = 0;
         let (mut arguments, mut types) = (String::new(), String::new());
         for width in widths {
-            let _ = write!(arguments, "x + {from}, {takes}, ");
-            let _ = write!(types, "const {} *, long long, ", T::C);
+            let _ = write!(arguments, "x + {from}, {takes}, 0, ");
+            let _ = write!(types, "const {} *, long long, long long, ", T::C);
             from += width;
         }
         let kind = T::C;
         let (outs, types_of_outs) = (outs.join(", "), types_of_outs.join(", "));
         let declaration =
-            format!("extern \"C\" void {name}(long long, {types}{types_of_outs});\n");
+            format!("extern \"C\" void {name}(long long, long long, {types}{types_of_outs});\n");
         let run = format!(
-            "    RUN_GRID({kind}, {name}, {takes}, {gives}, {count}, ({count}, {arguments}{outs}));\n"
+            "    RUN_GRID({kind}, {name}, {takes}, {gives}, {count}, ({count}, 1, {arguments}{outs}));\n"
         );
         (name, kernel, bytes, run, declaration)
     });

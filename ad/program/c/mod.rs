@@ -66,8 +66,9 @@ pub(crate) fn function(name: &str, recorded: &Recorded, input: impl Fn(usize) ->
 }
 
 /// Returns the program as a kernel of CUDA over rows, with results of `gives` numbers:
-/// `NAME(count, of_a, a_step, ..., out0, ...)`. A step is the distance of two rows of an argument in numbers, 0 for one
-/// row that serves all. Rows of a result follow each other.
+/// `NAME(count, inner, of_a, a_step, a_inner, ..., out0, ...)`. Row `i inner + j` of a result is computed from the row of
+/// `of_a` at `i a_step + j a_inner`, so that rows may be apart, repeat, or be those of a matrix of pairs. Rows of a result
+/// follow each other.
 pub(crate) fn kernel(
     name: &str,
     recorded: &Recorded,
@@ -105,27 +106,28 @@ pub(crate) fn kernel(
         ") {{\n\
          \x20   const long long row = (long long)blockIdx.x * blockDim.x + threadIdx.x;\n\
          \x20   {kind} x[{}], y[{}];\n\
-         \x20   if (row >= count) {{\n        return;\n    }}\n",
+         \x20   if (row >= count) {{\n        return;\n    }}\n\
+         \x20   const long long i = row / inner, j = row % inner;\n",
         takes.max(1),
         results.max(1)
     );
     let copy = |text: &mut String, width: usize, to: &str, of: &str| {
         let _ = write!(
             text,
-            "    for (int i = 0; i < {width}; i += 1) {{\n        {to} = {of};\n    }}\n"
+            "    for (int k = 0; k < {width}; k += 1) {{\n        {to} = {of};\n    }}\n"
         );
     };
     let mut from = 0;
     for (argument, width) in arguments {
-        let of = format!("of_{argument}[row * {argument}_step + i]");
-        copy(&mut text, *width, &format!("x[{from} + i]"), &of);
+        let of = format!("of_{argument}[i * {argument}_step + j * {argument}_inner + k]");
+        copy(&mut text, *width, &format!("x[{from} + k]"), &of);
         from += width;
     }
     text.push_str("    program_of_row(x, y);\n");
     from = 0;
     for (k, width) in gives.iter().enumerate() {
-        let to = format!("out{k}[row * {width} + i]");
-        copy(&mut text, *width, &to, &format!("y[{from} + i]"));
+        let to = format!("out{k}[row * {width} + k]");
+        copy(&mut text, *width, &to, &format!("y[{from} + k]"));
         from += width;
     }
     text.push_str("}\n");

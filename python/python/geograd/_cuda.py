@@ -30,28 +30,25 @@ class Unavailable(RuntimeError):
 def computed(node: Any, xs: Any, lead: Any) -> list[torch.Tensor]:
     """The results of a node, as new tensors on the device of its arguments."""
     device, dtype = xs[0].device, xs[0].dtype
-    widths = [max(width, 1) for width in node.gives]
     sizes = [(*lead, width) if width else tuple(lead) for width in node.gives]
     outs = [torch.empty(size, dtype=dtype, device=device) for size in sizes]
     count = math.prod(lead)
     if count:
-        columns = [_rows(x, lead, width) for (_, _, width), x in zip(node.takes, xs)]
+        inner = lead[-1] if len(lead) > 1 else 1
+        columns = [_rows(x, lead, inner, width) for (_, _, width), x in zip(node.takes, xs)]
         kernel = kernel_of(node, dtype, device)
-        kernel(device, count, columns, outs)
-    assert len(widths) == len(outs)
+        kernel(device, count, inner, columns, outs)
     return outs
 
 
-def _rows(x: torch.Tensor, lead: Any, width: int) -> tuple[torch.Tensor, int]:
-    """A tensor with its rows, and the distance of two rows in numbers; 0 if one row serves all."""
+def _rows(x: torch.Tensor, lead: Any, inner: int, width: int) -> tuple[torch.Tensor, int, int]:
+    """A tensor as rows of ``inner`` items, and the steps between rows and items in numbers; 0 repeats one."""
     x, numbers = x.detach(), max(width, 1)
-    if x.numel() == numbers:
-        return x.contiguous(), 0
     size = (*lead, width) if width else tuple(lead)
-    x = (x if x.shape == size else x.expand(size)).reshape(-1, numbers)
-    if numbers > 1 and x.stride(1) != 1:
+    x = (x if x.shape == size else x.expand(size)).reshape(-1, inner, numbers)
+    if numbers > 1 and x.stride(2) != 1:
         x = x.contiguous()
-    return x, x.stride(0)
+    return x, x.stride(0), x.stride(1)
 
 
 def kernel_of(node: Any, dtype: torch.dtype, device: torch.device) -> Callable[..., None]:
@@ -80,12 +77,12 @@ class _Kernel:
     def __init__(self, driver: Any, function: Any) -> None:
         self._driver, self._function = driver, function
 
-    def __call__(self, device: torch.device, count: int, columns: Any, outs: Any) -> None:
-        values: list[Any] = [count]
-        types: list[Any] = [ctypes.c_longlong]
-        for column, step in columns:
-            values += [column.data_ptr(), step]
-            types += [ctypes.c_void_p, ctypes.c_longlong]
+    def __call__(self, device: torch.device, count: int, inner: int, columns: Any, outs: Any) -> None:
+        values: list[Any] = [count, inner]
+        types: list[Any] = [ctypes.c_longlong, ctypes.c_longlong]
+        for column, step, within in columns:
+            values += [column.data_ptr(), step, within]
+            types += [ctypes.c_void_p, ctypes.c_longlong, ctypes.c_longlong]
         values += [out.data_ptr() for out in outs]
         types += [ctypes.c_void_p] * len(outs)
         blocks = -(-count // _THREADS)
@@ -97,7 +94,7 @@ class _Kernel:
                 )
             )
         # Memory of a copied column is not given to others before the kernel has read it.
-        for column, _ in columns:
+        for column, _, _ in columns:
             column.record_stream(stream)
 
 

@@ -138,7 +138,37 @@ def _classes():
     return made
 
 
-class Rings(_core.Paths):
+class Paths(_core.Paths):
+    """Paths: vertices one after another, and where each path starts; the last offset is the number of vertices.
+
+    ``paths[i]`` is an array of the vertices of one, ``paths[i:j]``, and places or truths as an array, are paths.
+    """
+
+    __slots__ = ()
+
+    def __getitem__(self, key):
+        offsets = np.asarray(self.offsets)
+        if isinstance(key, (int, np.integer)) and not isinstance(key, bool):
+            place, count = key.__index__(), len(self)
+            if not -count <= place < count:
+                raise IndexError(f"{place}: there are {count} paths")
+            place %= count
+            return self.vertices[offsets[place] : offsets[place + 1]]
+        places = np.arange(len(self))[key]
+        sizes = np.diff(offsets)[places]
+        ends = np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64)
+        # The place of every vertex: that of its path's first one, and how far it is from there.
+        rows = np.repeat(offsets[:-1][places] - ends[:-1], sizes) + np.arange(ends[-1])
+        return type(self)(self.vertices[rows], ends)
+
+    def __iter__(self):
+        return (self[i] for i in range(len(self)))
+
+    def __reduce__(self):
+        return type(self), (self.vertices, self.offsets)
+
+
+class Rings(Paths):
     """Closed paths: the last vertex of each is joined with its first one."""
 
     __slots__ = ()
@@ -150,7 +180,7 @@ class Rings(_core.Paths):
         return cls(*_convert.paths(paths, cls.__name__, closed=True))
 
 
-class Polylines(_core.Paths):
+class Polylines(Paths):
     """Open paths, of the plane or of space."""
 
     __slots__ = ()
@@ -162,7 +192,7 @@ class Polylines(_core.Paths):
         return cls(*_convert.paths(paths, cls.__name__, widths=(2, 3)))
 
 
-class Clouds(_core.Paths):
+class Clouds(Paths):
     """Clouds of points of space, in any order."""
 
     __slots__ = ()

@@ -1,7 +1,16 @@
 """The verbs, made of the table."""
 
+import inspect
+
 from . import _core
 from ._forms import Forms
+
+
+def _call(*arguments, kind=None, to=None, out=None, backend=None):
+    pass
+
+
+_SIGNATURE = inspect.signature(_call)
 
 
 class Verb(_core.Verb, Forms):
@@ -12,6 +21,15 @@ class Verb(_core.Verb, Forms):
         return describe(self.__name__)
 
     __module__ = "geograd"
+
+    @property
+    def __signature__(self):
+        return _SIGNATURE
+
+    def _given(self, arguments, named):
+        if named:
+            raise TypeError(f"geograd.{self.__name__} takes its shapes without names, not {', '.join(named)}=")
+        return arguments
 
 
 def _spelled(column):
