@@ -95,7 +95,7 @@ pub(crate) fn kernel(
     for (argument, _) in arguments {
         let _ = write!(
             text,
-            ", const {kind} *of_{argument}, long long {argument}_step"
+            ", const {kind} *of_{argument}, long long {argument}_step, long long {argument}_inner"
         );
     }
     for k in 0..gives.len() {
