@@ -90,7 +90,7 @@ pub(crate) fn kernel(
     );
     let _ = write!(
         text,
-        "\nextern \"C\" __global__ void {name}(long long count"
+        "\nextern \"C\" __global__ void {name}(long long count, long long inner"
     );
     for (argument, _) in arguments {
         let _ = write!(
