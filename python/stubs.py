@@ -6,7 +6,7 @@ import pathlib
 import sys
 
 import geograd
-from geograd import _core
+from geograd import _core, _points, _polygons
 from geograd._elementary import ELEMENTARY
 from geograd._verbs import describe, ordered
 
@@ -20,7 +20,7 @@ from typing import Any, Callable, Iterable, Iterator, Literal, Optional, Sequenc
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import assignment as assignment, metric as metric
+from . import assignment as assignment, metric as metric, suppression as suppression
 
 __version__: str
 WGSL: str
@@ -32,6 +32,7 @@ Out = Any
 Groups = Optional[Sequence[ArrayLike]]
 Backend = Optional[Literal["cpu", "gpu"]]
 Form = Literal["value", "value_grad", "vjp", "jacobian", "jvp", "hvp", "hessian"]
+Fill = Literal["even_odd", "nonzero"]
 Report = _core.Report
 
 class Symbol:
@@ -112,6 +113,82 @@ class Clouds(Paths):
     """Clouds of points of space, in any order."""
     @classmethod
     def of(cls, clouds: Iterable[Any]) -> Clouds: ...
+
+class Polygons:
+    """A column of polygons, each of parts with holes."""
+    def __init__(self, vertices: ArrayLike, offsets: Sequence[ArrayLike]) -> None: ...
+    @classmethod
+    def of(cls, polygons: Any) -> Polygons:
+        """Polygons of a list, of geometries, of rings or of boxes."""
+    @classmethod
+    def from_shapely(cls, geometries: Any) -> Polygons:
+        """Polygons of an array of shapely's polygons and multipolygons, or of a GeoSeries."""
+    def to_shapely(self) -> Array:
+        """An array of shapely's geometries: of a polygon of one part a Polygon, of any other a MultiPolygon."""
+    @classmethod
+    def from_arrow(cls, column: Any) -> Polygons:
+        """Polygons of a GeoArrow column."""
+    def to_arrow(self) -> Any:
+        """A GeoArrow column of multipolygons."""
+    @classmethod
+    def concatenate(cls, columns: Iterable[Any]) -> Polygons:
+        """The polygons of several columns, one after the other."""
+    def tolist(self) -> list[list[list[Array]]]:
+        """The polygons as lists of parts, each a list of rings of shape (V, 2)."""
+    def union_all(self, *, valid: bool = ...) -> Polygons:
+        """The union of all polygons of the column, a column of one."""
+    def make_valid(self, *, fill: Fill = ...) -> Polygons:
+        """The same areas as polygons that are valid by the OGC's rules."""
+    @property
+    def vertices(self) -> Array: ...
+    @property
+    def offsets(self) -> tuple[Array, Array, Array]: ...
+    @property
+    def bounds(self) -> Aabb2: ...
+    def __len__(self) -> int: ...
+    def __getitem__(self, key: Any) -> Polygons: ...
+    def __iter__(self) -> Iterator[Polygons]: ...
+    def __eq__(self, other: object) -> Any: ...
+    def __ne__(self, other: object) -> Any: ...
+
+class _Overlay:
+    __name__: str
+    def __call__(self, a: Any, b: Any, *, fill: Fill = ..., valid: bool = ...) -> Polygons: ...
+    def vjp(self, a: Any, b: Any, upstream: ArrayLike, *, fill: Fill = ..., valid: bool = ...) -> tuple[Array, Array]:
+        """Cotangents of the vertices of both columns, from those of the vertices of the result."""
+
+class _UnionArea:
+    __name__: str
+    def __call__(self, a: Any, b: Any) -> Array: ...
+    def value_grad(self, a: Any, b: Any) -> tuple[Array, tuple[Array, Array]]:
+        """The value of every item, and its gradients by the vertices of both columns."""
+    def vjp(self, a: Any, b: Any, upstream: ArrayLike) -> tuple[Array, Array]:
+        """Cotangents of the vertices of both columns, from those of the values."""
+    def all_pairs(self, a: Any, b: Any) -> Array:
+        """Every polygon of `a` with every polygon of `b`: a matrix."""
+
+union_area: _UnionArea
+
+class _ConvexHull:
+    __name__: str
+    def __call__(self, points: Any) -> Polygons: ...
+    def vjp(self, points: Any, upstream: ArrayLike) -> Array:
+        """Cotangents of all points, from those of the vertices of the hulls."""
+
+convex_hull: _ConvexHull
+
+class _Procrustes:
+    __name__: str
+    def __call__(self, points: Any, targets: Any, weights: Optional[ArrayLike] = ..., *, rigid: bool = ...) -> tuple[Pose3, float]: ...
+    def vjp(
+        self, points: Any, targets: Any, weights: Optional[ArrayLike], pose_bar: ArrayLike, scale_bar: float = ..., *, rigid: bool = ...
+    ) -> tuple[Array, Array, Array]:
+        """Cotangents of points, targets and weights, from those of the pose and of the scale."""
+
+procrustes: _Procrustes
+
+def contains(polygons: Any, points: Any, *, fill: Fill = ...) -> Array:
+    """Whether polygons contain points, item by item, decided exactly; the border belongs to a polygon."""
 
 class Program:
     """The operations of a function, in the order in which they are carried out."""
@@ -293,11 +370,22 @@ def gradients(name):
     return "Any" if len(counts) > 1 else "Array" if True in counts else "tuple[Array, ...]"
 
 
+def polygons(verb):
+    """The overloads of a verb for polygons and sets of points: what each takes and gives."""
+    if verb in _polygons.VERBS:
+        takes, gives = _polygons.VERBS[verb]
+        yield takes.replace("point: Vec2", "point: Union[Vec2, Array]"), "Array" if gives == "number" else gives
+    if verb in _points.VERBS:
+        yield "points: Union[Paths, Polygons]", _points.VERBS[verb] or "Array"
+
+
 def stubs():
     lines = [HEAD.format(doc=geograd.__doc__, item=ITEM, kind="kind: Kind = ..., ").replace("Report = _core.Report\n", "")]
     for name, count in ELEMENTARY.items():
-        takes = "x: Any" if count == 1 else "a: Any, b: Any"
-        lines.append(f"def {name}({takes}) -> Any:\n" + documented(getattr(geograd, name).__doc__, "    "))
+        symbolic = ["x: Symbol"] if count == 1 else ["a: Symbol, b: Union[Symbol, float]", "a: float, b: Symbol"]
+        takes = "x: ArrayLike" if count == 1 else "a: ArrayLike, b: ArrayLike"
+        for own, gives in [*((own, "Symbol") for own in symbolic), (takes, "Any")]:
+            lines.append(f"@overload\ndef {name}({own}) -> {gives}:\n" + documented(getattr(geograd, name).__doc__, "    "))
     for name, fields, _ in sorted(_core.shapes()):
         if fields:
             cls = getattr(geograd, name)
@@ -312,9 +400,13 @@ def stubs():
         for takes, to, result in overloads(name):
             lines.append("    @overload")
             lines.append(f"    def __call__(self, {takes}, /, *, kind: None = ..., to: {to}, out: Out = ..., backend: Backend = ...) -> {result}: ...")
+        for takes, gives in polygons(name):
+            lines.append(f"    @overload\n    def __call__(self, {takes}, /) -> {gives}: ...")
         lines.append("    @overload\n    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...")
         lines.append(f"    def value_grad(self, *arguments: Any, {ITEM}, **named: Any) -> tuple[Array, {gradients(name)}]: ...")
         lines.append(f"\n{name}: _{name}")
+    for name in sorted(_polygons.OVERLAYS):
+        lines.append(f"\n{name}: _Overlay\n" + documented(_polygons.OVERLAYS[name].__doc__, ""))
     return "\n".join(lines) + "\n"
 
 

@@ -7,6 +7,7 @@ use crate::grouped::SuppressArguments;
 use crate::machine::Machine;
 use crate::number::{Any, Form, Number};
 use crate::pairs::Pairs;
+use crate::polygons::Polygons;
 use crate::raised;
 use crate::shapes::{Content, Paths, Shape, dressed_items};
 use crate::symbol::{Symbol, number};
@@ -296,6 +297,10 @@ impl Verb {
         [kind, to, out]: [Option<&Object<'py>>; 3],
         backend: Option<&str>,
     ) -> PyResult<Object<'py>> {
+        if arguments.iter().any(|x| x.is_instance_of::<Polygons>()) || self.is_of_points(arguments)
+        {
+            return self.of_polygons(py, name, arguments, [kind, to, out], backend);
+        }
         let row = self.row(arguments, kind, to, name)?;
         if let Some(like) = arguments.iter().find_map(|x| symbol_in(x, 0)) {
             if out.is_some() {
@@ -311,6 +316,32 @@ impl Verb {
             true => call.paths(form),
             false => call.item_by_item(form),
         }
+    }
+    /// Returns `true` for a verb of sets of points, given as paths.
+    fn is_of_points(&self, arguments: &[Object<'_>]) -> bool {
+        const OF_POINTS: [&str; 4] = ["diameter", "minimum_circle", "minimum_rectangle", "width"];
+        arguments
+            .first()
+            .is_some_and(|x| x.is_instance_of::<Paths>())
+            && OF_POINTS.contains(&self.of().name.as_str())
+    }
+    /// Runs a form of polygons, whose arguments Python arranges.
+    fn of_polygons<'py>(
+        &self,
+        py: Python<'py>,
+        form: &str,
+        arguments: &[Object<'py>],
+        options: [Option<&Object<'py>>; 3],
+        backend: Option<&str>,
+    ) -> PyResult<Object<'py>> {
+        if options.iter().flatten().any(|x| !x.is_none()) || backend.is_some_and(|x| x != "cpu") {
+            return Err(PyTypeError::new_err(format!(
+                "geograd.{}.{form} of Polygons takes no options: they are columns of one kind, on the CPU",
+                self.of().name
+            )));
+        }
+        let run = py.import("geograd._polygons")?.getattr("run")?;
+        run.call1((&self.of().name, form, PyTuple::new(py, arguments)?))
     }
     /// The row of symbols, as part of the function that is being recorded.
     fn recorded<'py, T: Number>(
@@ -537,6 +568,9 @@ impl Verb {
         groups: Option<&Object<'py>>,
     ) -> PyResult<Object<'py>> {
         let lists = [a, b];
+        if lists.iter().any(|x| x.is_instance_of::<Polygons>()) {
+            return self.of_polygons(py, form, &lists, [kind, groups, out], backend);
+        }
         let row = self.row_of_pairs(&lists, kind, form)?;
         let call = self.call(py, row, &lists, out, backend)?;
         call.of_pairs(Pairs::named(form)?, more, groups)

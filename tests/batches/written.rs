@@ -51,8 +51,8 @@ pub fn cases<T: Real>(row: &Tested) -> [Case<T>; 2] {
             let from = lists.iter().map(|x| x.len() / items.len()).sum::<usize>();
             lists.push(items.iter().flat_map(|x| x[from..].to_vec()).collect());
         }
-        let rows = lists.iter().zip(widths);
-        let rows: Vec<_> = rows.map(|(list, &width)| Rows::new(list, width)).collect();
+        let lists = lists.iter().zip(widths);
+        let rows: Vec<_> = lists.map(|(list, &width)| Rows::new(list, width)).collect();
         by_item(&function.aligned(&rows).expect(name), items.len())
     };
     let layouts = operation.layouts::<T>();

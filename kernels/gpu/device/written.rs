@@ -1,12 +1,11 @@
 //! The shaders: their source files, and the constants in front of them.
 //!
 //! A shader is its constants followed by its files. Constants are defined in Rust alone.
-use crate::Scalar;
 use crate::ad::program::wgsl::literal;
 use crate::clip::{FAR, LARGEST_INVERSE};
 use crate::overlap::Denominator;
 use crate::ring::Measure;
-use crate::scalar::float::Float;
+use crate::{Real, Scalar};
 use std::fmt::Write;
 
 /// The number of threads of a workgroup.
@@ -117,7 +116,7 @@ pub(super) fn sizes(group: usize, step: usize, strip: usize) -> String {
 /// Returns the constants of kernels by hand, which Rust and WGSL share.
 pub(super) fn policy() -> String {
     // All ones, except the low half of the significand.
-    let high_half = Float::high(f32::from_bits(u32::MAX)).to_bits();
+    let high_half = Real::high(f32::from_bits(u32::MAX)).to_bits();
     let mut text = String::new();
     for (name, value) in [
         ("HIGH_HALF", high_half),

@@ -223,79 +223,245 @@ def where(condition: Any, a: Any, b: Any) -> Any:
 def clip(x: Any, low: Any, high: Any) -> Any:
     """The nearest value between two bounds; of symbols the derivative is shared at either."""
 
-def sqrt(x: Any) -> Any:
+@overload
+def sqrt(x: Symbol) -> Symbol:
     """The square root; NaN below zero. Of symbols with derivative zero at zero."""
-def square(x: Any) -> Any:
+@overload
+def sqrt(x: ArrayLike) -> Any:
+    """The square root; NaN below zero. Of symbols with derivative zero at zero."""
+@overload
+def square(x: Symbol) -> Symbol:
     """The square."""
-def sin(x: Any) -> Any:
+@overload
+def square(x: ArrayLike) -> Any:
+    """The square."""
+@overload
+def sin(x: Symbol) -> Symbol:
     """The sine of an angle in radians."""
-def cos(x: Any) -> Any:
+@overload
+def sin(x: ArrayLike) -> Any:
+    """The sine of an angle in radians."""
+@overload
+def cos(x: Symbol) -> Symbol:
     """The cosine of an angle in radians."""
-def tan(x: Any) -> Any:
+@overload
+def cos(x: ArrayLike) -> Any:
+    """The cosine of an angle in radians."""
+@overload
+def tan(x: Symbol) -> Symbol:
     """The tangent of an angle in radians."""
-def exp(x: Any) -> Any:
+@overload
+def tan(x: ArrayLike) -> Any:
+    """The tangent of an angle in radians."""
+@overload
+def exp(x: Symbol) -> Symbol:
     """The exponential."""
-def log(x: Any) -> Any:
+@overload
+def exp(x: ArrayLike) -> Any:
+    """The exponential."""
+@overload
+def log(x: Symbol) -> Symbol:
     """The natural logarithm."""
-def cbrt(x: Any) -> Any:
+@overload
+def log(x: ArrayLike) -> Any:
+    """The natural logarithm."""
+@overload
+def cbrt(x: Symbol) -> Symbol:
     """The cube root; of symbols with derivative zero at zero."""
-def exp2(x: Any) -> Any:
+@overload
+def cbrt(x: ArrayLike) -> Any:
+    """The cube root; of symbols with derivative zero at zero."""
+@overload
+def exp2(x: Symbol) -> Symbol:
     """Two to a power; of symbols right to x roundings."""
-def expm1(x: Any) -> Any:
+@overload
+def exp2(x: ArrayLike) -> Any:
+    """Two to a power; of symbols right to x roundings."""
+@overload
+def expm1(x: Symbol) -> Symbol:
     """The exponential less one, right near zero."""
-def log1p(x: Any) -> Any:
+@overload
+def expm1(x: ArrayLike) -> Any:
+    """The exponential less one, right near zero."""
+@overload
+def log1p(x: Symbol) -> Symbol:
     """The natural logarithm of one more, right near zero."""
-def log2(x: Any) -> Any:
+@overload
+def log1p(x: ArrayLike) -> Any:
+    """The natural logarithm of one more, right near zero."""
+@overload
+def log2(x: Symbol) -> Symbol:
     """The logarithm to the base 2."""
-def log10(x: Any) -> Any:
+@overload
+def log2(x: ArrayLike) -> Any:
+    """The logarithm to the base 2."""
+@overload
+def log10(x: Symbol) -> Symbol:
     """The logarithm to the base 10."""
-def logaddexp(a: Any, b: Any) -> Any:
+@overload
+def log10(x: ArrayLike) -> Any:
+    """The logarithm to the base 10."""
+@overload
+def logaddexp(a: Symbol, b: Union[Symbol, float]) -> Symbol:
     """The logarithm of the sum of two exponentials, without overflow."""
-def sinh(x: Any) -> Any:
+@overload
+def logaddexp(a: float, b: Symbol) -> Symbol:
+    """The logarithm of the sum of two exponentials, without overflow."""
+@overload
+def logaddexp(a: ArrayLike, b: ArrayLike) -> Any:
+    """The logarithm of the sum of two exponentials, without overflow."""
+@overload
+def sinh(x: Symbol) -> Symbol:
     """The hyperbolic sine."""
-def cosh(x: Any) -> Any:
+@overload
+def sinh(x: ArrayLike) -> Any:
+    """The hyperbolic sine."""
+@overload
+def cosh(x: Symbol) -> Symbol:
     """The hyperbolic cosine."""
-def tanh(x: Any) -> Any:
+@overload
+def cosh(x: ArrayLike) -> Any:
+    """The hyperbolic cosine."""
+@overload
+def tanh(x: Symbol) -> Symbol:
     """The hyperbolic tangent."""
-def arcsinh(x: Any) -> Any:
+@overload
+def tanh(x: ArrayLike) -> Any:
+    """The hyperbolic tangent."""
+@overload
+def arcsinh(x: Symbol) -> Symbol:
     """The inverse of the hyperbolic sine."""
-def arccosh(x: Any) -> Any:
+@overload
+def arcsinh(x: ArrayLike) -> Any:
+    """The inverse of the hyperbolic sine."""
+@overload
+def arccosh(x: Symbol) -> Symbol:
     """The inverse of the hyperbolic cosine; NaN below 1."""
-def arctanh(x: Any) -> Any:
+@overload
+def arccosh(x: ArrayLike) -> Any:
+    """The inverse of the hyperbolic cosine; NaN below 1."""
+@overload
+def arctanh(x: Symbol) -> Symbol:
     """The inverse of the hyperbolic tangent; NaN beyond 1."""
-def arcsin(x: Any) -> Any:
+@overload
+def arctanh(x: ArrayLike) -> Any:
+    """The inverse of the hyperbolic tangent; NaN beyond 1."""
+@overload
+def arcsin(x: Symbol) -> Symbol:
     """The angle in radians with a sine; NaN beyond 1, of symbols with derivative zero at 1 and -1."""
-def arccos(x: Any) -> Any:
+@overload
+def arcsin(x: ArrayLike) -> Any:
+    """The angle in radians with a sine; NaN beyond 1, of symbols with derivative zero at 1 and -1."""
+@overload
+def arccos(x: Symbol) -> Symbol:
     """The angle in radians with a cosine; NaN beyond 1, of symbols with derivative zero at 1 and -1."""
-def arctan(x: Any) -> Any:
+@overload
+def arccos(x: ArrayLike) -> Any:
+    """The angle in radians with a cosine; NaN beyond 1, of symbols with derivative zero at 1 and -1."""
+@overload
+def arctan(x: Symbol) -> Symbol:
     """The angle in radians with a tangent."""
-def power(a: Any, b: Any) -> Any:
+@overload
+def arctan(x: ArrayLike) -> Any:
+    """The angle in radians with a tangent."""
+@overload
+def power(a: Symbol, b: Union[Symbol, float]) -> Symbol:
     """A power; of symbols with an exponent that is a symbol NaN below zero, and right to b log(a) roundings."""
-def floor(x: Any) -> Any:
+@overload
+def power(a: float, b: Symbol) -> Symbol:
+    """A power; of symbols with an exponent that is a symbol NaN below zero, and right to b log(a) roundings."""
+@overload
+def power(a: ArrayLike, b: ArrayLike) -> Any:
+    """A power; of symbols with an exponent that is a symbol NaN below zero, and right to b log(a) roundings."""
+@overload
+def floor(x: Symbol) -> Symbol:
     """The largest whole number that is not above; of symbols with derivative zero."""
-def ceil(x: Any) -> Any:
+@overload
+def floor(x: ArrayLike) -> Any:
+    """The largest whole number that is not above; of symbols with derivative zero."""
+@overload
+def ceil(x: Symbol) -> Symbol:
     """The smallest whole number that is not below; of symbols with derivative zero."""
-def trunc(x: Any) -> Any:
+@overload
+def ceil(x: ArrayLike) -> Any:
+    """The smallest whole number that is not below; of symbols with derivative zero."""
+@overload
+def trunc(x: Symbol) -> Symbol:
     """The whole number without the digits after the point; of symbols with derivative zero."""
-def rint(x: Any) -> Any:
+@overload
+def trunc(x: ArrayLike) -> Any:
+    """The whole number without the digits after the point; of symbols with derivative zero."""
+@overload
+def rint(x: Symbol) -> Symbol:
     """The nearest whole number, of two the even one; of symbols with derivative zero."""
-def sign(x: Any) -> Any:
+@overload
+def rint(x: ArrayLike) -> Any:
+    """The nearest whole number, of two the even one; of symbols with derivative zero."""
+@overload
+def sign(x: Symbol) -> Symbol:
     """1, -1 or 0; of symbols with derivative zero."""
-def mod(a: Any, b: Any) -> Any:
+@overload
+def sign(x: ArrayLike) -> Any:
+    """1, -1 or 0; of symbols with derivative zero."""
+@overload
+def mod(a: Symbol, b: Union[Symbol, float]) -> Symbol:
     """The rest of a division, zero or of the sign of b; of symbols right to the rounding of a."""
-def arctan2(a: Any, b: Any) -> Any:
+@overload
+def mod(a: float, b: Symbol) -> Symbol:
+    """The rest of a division, zero or of the sign of b; of symbols right to the rounding of a."""
+@overload
+def mod(a: ArrayLike, b: ArrayLike) -> Any:
+    """The rest of a division, zero or of the sign of b; of symbols right to the rounding of a."""
+@overload
+def arctan2(a: Symbol, b: Union[Symbol, float]) -> Symbol:
     """The angle of the vector (b, a) in radians, from -pi to pi."""
-def hypot(a: Any, b: Any) -> Any:
+@overload
+def arctan2(a: float, b: Symbol) -> Symbol:
+    """The angle of the vector (b, a) in radians, from -pi to pi."""
+@overload
+def arctan2(a: ArrayLike, b: ArrayLike) -> Any:
+    """The angle of the vector (b, a) in radians, from -pi to pi."""
+@overload
+def hypot(a: Symbol, b: Union[Symbol, float]) -> Symbol:
     """The length of the vector (a, b), with derivative zero at the origin."""
-def copysign(a: Any, b: Any) -> Any:
+@overload
+def hypot(a: float, b: Symbol) -> Symbol:
+    """The length of the vector (a, b), with derivative zero at the origin."""
+@overload
+def hypot(a: ArrayLike, b: ArrayLike) -> Any:
+    """The length of the vector (a, b), with derivative zero at the origin."""
+@overload
+def copysign(a: Symbol, b: Union[Symbol, float]) -> Symbol:
     """The magnitude of a with the sign of b."""
-def minimum(a: Any, b: Any) -> Any:
+@overload
+def copysign(a: float, b: Symbol) -> Symbol:
+    """The magnitude of a with the sign of b."""
+@overload
+def copysign(a: ArrayLike, b: ArrayLike) -> Any:
+    """The magnitude of a with the sign of b."""
+@overload
+def minimum(a: Symbol, b: Union[Symbol, float]) -> Symbol:
     """The smaller one; of symbols an exact tie shares the derivative."""
-def maximum(a: Any, b: Any) -> Any:
+@overload
+def minimum(a: float, b: Symbol) -> Symbol:
+    """The smaller one; of symbols an exact tie shares the derivative."""
+@overload
+def minimum(a: ArrayLike, b: ArrayLike) -> Any:
+    """The smaller one; of symbols an exact tie shares the derivative."""
+@overload
+def maximum(a: Symbol, b: Union[Symbol, float]) -> Symbol:
+    """The larger one; of symbols an exact tie shares the derivative."""
+@overload
+def maximum(a: float, b: Symbol) -> Symbol:
+    """The larger one; of symbols an exact tie shares the derivative."""
+@overload
+def maximum(a: ArrayLike, b: ArrayLike) -> Any:
     """The larger one; of symbols an exact tie shares the derivative."""
 
 class Aabb2(Shape):
-    """Aabb2: an array whose last axis has its numbers, in this order.
+    """An axis-aligned box in the plane, by two corners: torchvision's xyxy.
+
+    An array whose last axis has its numbers, in this order:
 
         min.x: coordinate, at most max.x
         min.y: coordinate, at most max.y
@@ -309,7 +475,9 @@ class Aabb2(Shape):
     def max(self) -> Vec2: ...
 
 class Aabb3(Shape):
-    """Aabb3: an array whose last axis has its numbers, in this order.
+    """An axis-aligned box in space, by two corners.
+
+    An array whose last axis has its numbers, in this order:
 
         min.x: coordinate, at most max.x
         min.y: coordinate, at most max.y
@@ -325,7 +493,9 @@ class Aabb3(Shape):
     def max(self) -> Vec3: ...
 
 class AreaMoments(Shape):
-    """AreaMoments: an array whose last axis has its numbers, in this order.
+    """The second moments of an area: integrals of x * x, y * y and x * y.
+
+    An array whose last axis has its numbers, in this order:
 
         xx: number
         yy: number
@@ -340,7 +510,10 @@ class AreaMoments(Shape):
     def xy(self) -> Any: ...
 
 class BrownConrady(Shape):
-    """BrownConrady: an array whose last axis has its numbers, in this order.
+    """A camera with the distortion of Brown and Conrady: k1, k2, k3 and p1, p2 of OpenCV, whose vector has
+    k3 last.
+
+    An array whose last axis has its numbers, in this order:
 
         pinhole.fx: length, above 0
         pinhole.fy: length, above 0
@@ -361,7 +534,9 @@ class BrownConrady(Shape):
     def tangential(self) -> list[Any]: ...
 
 class Capsule2(Shape):
-    """Capsule2: an array whose last axis has its numbers, in this order.
+    """All points at most a radius from a segment of the plane.
+
+    An array whose last axis has its numbers, in this order:
 
         from.x: coordinate
         from.y: coordinate
@@ -378,7 +553,9 @@ class Capsule2(Shape):
     def radius(self) -> Any: ...
 
 class Capsule3(Shape):
-    """Capsule3: an array whose last axis has its numbers, in this order.
+    """All points at most a radius from a segment of space.
+
+    An array whose last axis has its numbers, in this order:
 
         start.x: coordinate
         start.y: coordinate
@@ -397,11 +574,13 @@ class Capsule3(Shape):
     def radius(self) -> Any: ...
 
 class Chord(Shape):
-    """Chord: an array whose last axis has its numbers, in this order.
+    """The part of a line in a shape, by parameters of the line.
 
-        enter: number
-        exit: number
-        found: number
+    An array whose last axis has its numbers, in this order:
+
+        enter: least parameter in lengths of the direction; 0 for a miss
+        exit: greatest parameter in lengths of the direction; 0 for a miss
+        found: 1 where the line meets the shape, else 0
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
@@ -412,7 +591,9 @@ class Chord(Shape):
     def found(self) -> Any: ...
 
 class Circle(Shape):
-    """Circle: an array whose last axis has its numbers, in this order.
+    """A disc of the plane.
+
+    An array whose last axis has its numbers, in this order:
 
         x: coordinate
         y: coordinate
@@ -427,14 +608,16 @@ class Circle(Shape):
     def radius(self) -> Any: ...
 
 class ClosestOnSegments(Shape):
-    """ClosestOnSegments: an array whose last axis has its numbers, in this order.
+    """The nearest points of two segments, and where they are: 0 at the start, 1 at the end.
+
+    An array whose last axis has its numbers, in this order:
 
         on_a.x: coordinate
         on_a.y: coordinate
         on_b.x: coordinate
         on_b.y: coordinate
-        along_a: number
-        along_b: number
+        along_a: share of the way along a
+        along_b: share of the way along b
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
@@ -447,7 +630,9 @@ class ClosestOnSegments(Shape):
     def along_b(self) -> Any: ...
 
 class CommonLine3(Shape):
-    """CommonLine3: an array whose last axis has its numbers, in this order.
+    """The line that two planes share.
+
+    An array whose last axis has its numbers, in this order:
 
         point.x: coordinate
         point.y: coordinate
@@ -455,7 +640,7 @@ class CommonLine3(Shape):
         direction.x: part of a direction
         direction.y: part of a direction
         direction.z: part of a direction
-        found: number
+        found: 1 where there is one, else 0
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
@@ -466,13 +651,15 @@ class CommonLine3(Shape):
     def found(self) -> Any: ...
 
 class CommonPart(Shape):
-    """CommonPart: an array whose last axis has its numbers, in this order.
+    """The part that two segments share.
+
+    An array whose last axis has its numbers, in this order:
 
         from.x: coordinate
         from.y: coordinate
         to.x: coordinate
         to.y: coordinate
-        kind: number
+        kind: 0 for nothing, 1 for a point, 2 for a segment
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
@@ -483,13 +670,15 @@ class CommonPart(Shape):
     def kind(self) -> Any: ...
 
 class CommonPoint(Shape):
-    """CommonPoint: an array whose last axis has its numbers, in this order.
+    """The point in which two lines cross, and its parameters on both.
+
+    An array whose last axis has its numbers, in this order:
 
         point.x: coordinate
         point.y: coordinate
-        along_a: number
-        along_b: number
-        found: number
+        along_a: distance from a's point in lengths of its direction; 0 for parallel lines
+        along_b: distance from b's point in lengths of its direction; 0 for parallel lines
+        found: 1 where the lines cross, 0 where they are parallel
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
@@ -502,12 +691,14 @@ class CommonPoint(Shape):
     def found(self) -> Any: ...
 
 class CommonPoint3(Shape):
-    """CommonPoint3: an array whose last axis has its numbers, in this order.
+    """The point that three planes share.
+
+    An array whose last axis has its numbers, in this order:
 
         point.x: coordinate
         point.y: coordinate
         point.z: coordinate
-        found: number
+        found: 1 where there is one, else 0
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
@@ -516,7 +707,9 @@ class CommonPoint3(Shape):
     def found(self) -> Any: ...
 
 class Cone(Shape):
-    """Cone: an array whose last axis has its numbers, in this order.
+    """A cone: its apex and the middle of its base, which differ, and the base's radius.
+
+    An array whose last axis has its numbers, in this order:
 
         apex.x: coordinate, not all parts 0
         apex.y: coordinate, not all parts 0
@@ -535,9 +728,12 @@ class Cone(Shape):
     def radius(self) -> Any: ...
 
 class Contact(Shape):
-    """Contact: an array whose last axis has its numbers, in this order.
+    """How deep two shapes are in each other, and the direction of the shortest shift of the second one
+    that parts them.
 
-        depth: length
+    An array whose last axis has its numbers, in this order:
+
+        depth: length, 0 where the shapes are apart
         direction.x: coordinate
         direction.y: coordinate
     """
@@ -548,9 +744,12 @@ class Contact(Shape):
     def direction(self) -> Vec2: ...
 
 class Contact3(Shape):
-    """Contact3: an array whose last axis has its numbers, in this order.
+    """How deep two shapes are in each other, and the direction of the shortest shift of the second one
+    that parts them.
 
-        depth: length
+    An array whose last axis has its numbers, in this order:
+
+        depth: length, 0 where the shapes are apart
         direction.x: coordinate
         direction.y: coordinate
         direction.z: coordinate
@@ -562,7 +761,10 @@ class Contact3(Shape):
     def direction(self) -> Vec3: ...
 
 class ConvexPolygon5(Shape):
-    """ConvexPolygon5: an array whose last axis has its numbers, in this order.
+    """A convex polygon of up to 5 vertices, in counter-clockwise order. The last number is how many
+    vertices count; those after them are not read.
+
+    An array whose last axis has its numbers, in this order:
 
         vertices[0].x: coordinate
         vertices[0].y: coordinate
@@ -574,7 +776,7 @@ class ConvexPolygon5(Shape):
         vertices[3].y: coordinate
         vertices[4].x: coordinate
         vertices[4].y: coordinate
-        codes[0]: whole number
+        codes[0]: how many vertices count, a whole number
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
@@ -583,7 +785,10 @@ class ConvexPolygon5(Shape):
     def codes(self) -> list[Any]: ...
 
 class ConvexPolygon6(Shape):
-    """ConvexPolygon6: an array whose last axis has its numbers, in this order.
+    """A convex polygon of up to 6 vertices, in counter-clockwise order. The last number is how many
+    vertices count; those after them are not read.
+
+    An array whose last axis has its numbers, in this order:
 
         vertices[0].x: coordinate
         vertices[0].y: coordinate
@@ -597,7 +802,7 @@ class ConvexPolygon6(Shape):
         vertices[4].y: coordinate
         vertices[5].x: coordinate
         vertices[5].y: coordinate
-        codes[0]: whole number
+        codes[0]: how many vertices count, a whole number
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
@@ -606,7 +811,9 @@ class ConvexPolygon6(Shape):
     def codes(self) -> list[Any]: ...
 
 class Cylinder(Shape):
-    """Cylinder: an array whose last axis has its numbers, in this order.
+    """A cylinder around the segment from the middle of one end to that of the other, which differ.
+
+    An array whose last axis has its numbers, in this order:
 
         start.x: coordinate, not all parts 0
         start.y: coordinate, not all parts 0
@@ -625,13 +832,16 @@ class Cylinder(Shape):
     def radius(self) -> Any: ...
 
 class Detectron2Box(Shape):
-    """Detectron2Box: an array whose last axis has its numbers, in this order.
+    """detectron2's RotatedBoxes: a rotated box in an image, where y points down, with an angle in degrees
+    that grows counter-clockwise to the viewer.
+
+    An array whose last axis has its numbers, in this order:
 
         center.x: coordinate
         center.y: coordinate
         size.x: length, at least 0
         size.y: length, at least 0
-        heading.value: number
+        heading.value: angle in degrees
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
@@ -642,16 +852,20 @@ class Detectron2Box(Shape):
     def heading(self) -> Any: ...
 
 class Exponent(Shape):
-    """Exponent: an array whose last axis has its numbers, in this order.
+    """The power of alpha_iou, above 0.
 
-        alpha: number, above 0
+    An array whose last axis has its numbers, in this order:
+
+        alpha: power, above 0
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
     def alpha(self) -> Any: ...
 
 class Fisheye(Shape):
-    """Fisheye: an array whose last axis has its numbers, in this order.
+    """A fisheye camera of Kannala and Brandt, with k1 to k4 of OpenCV's fisheye model.
+
+    An array whose last axis has its numbers, in this order:
 
         pinhole.fx: length, above 0
         pinhole.fy: length, above 0
@@ -669,14 +883,16 @@ class Fisheye(Shape):
     def radial(self) -> list[Any]: ...
 
 class Hit(Shape):
-    """Hit: an array whose last axis has its numbers, in this order.
+    """The first point of a ray on the border of a shape, and the normal there, out of the shape.
 
-        parameter: number
+    An array whose last axis has its numbers, in this order:
+
+        parameter: distance in lengths of the direction; the largest finite number for a miss
         point.x: coordinate
         point.y: coordinate
         normal.x: coordinate
         normal.y: coordinate
-        kind: number
+        kind: 0 for a miss, 1 for a hit from outside, 2 from inside, where the ray leaves
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
@@ -689,16 +905,18 @@ class Hit(Shape):
     def kind(self) -> Any: ...
 
 class Hit3(Shape):
-    """Hit3: an array whose last axis has its numbers, in this order.
+    """The first point of a ray on the border of a shape of space, and the normal there, out of the shape.
 
-        parameter: number
+    An array whose last axis has its numbers, in this order:
+
+        parameter: distance in lengths of the direction; the largest finite number for a miss
         point.x: coordinate
         point.y: coordinate
         point.z: coordinate
         normal.x: part of a direction
         normal.y: part of a direction
         normal.z: part of a direction
-        kind: number
+        kind: 0 for a miss, 1 for a hit from outside, 2 from inside, where the ray leaves
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
@@ -711,7 +929,11 @@ class Hit3(Shape):
     def kind(self) -> Any: ...
 
 class ImageBox(Shape):
-    """ImageBox: an array whose last axis has its numbers, in this order.
+    """A rotated box in an image, where y points down. The angle turns from x towards y, clockwise to the
+    viewer; the width lies along it. As Obb2 it is the box in a frame with y upwards; read with y
+    downwards both have the same numbers.
+
+    An array whose last axis has its numbers, in this order:
 
         center.x: coordinate
         center.y: coordinate
@@ -728,7 +950,9 @@ class ImageBox(Shape):
     def heading(self) -> Any: ...
 
 class Interval(Shape):
-    """Interval: an array whose last axis has its numbers, in this order.
+    """An interval of numbers.
+
+    An array whose last axis has its numbers, in this order:
 
         min: length, at most max
         max: length, at least min
@@ -740,7 +964,10 @@ class Interval(Shape):
     def max(self) -> Any: ...
 
 class KittiBox(Shape):
-    """KittiBox: an array whose last axis has its numbers, in this order.
+    """A box of KITTI's labels, in the frame of a camera: x to the right, y down, z ahead. The location is
+    the middle of the bottom face; rotation_y turns about the y axis and is 0 for travel to the right.
+
+    An array whose last axis has its numbers, in this order:
 
         height: length, at least 0
         width: length, at least 0
@@ -763,7 +990,11 @@ class KittiBox(Shape):
     def rotation_y(self) -> Any: ...
 
 class Le135(Shape):
-    """Le135: an array whose last axis has its numbers, in this order.
+    """mmrotate's le135, a rotated box in an image, where y points down. The angle turns from x towards y,
+    clockwise to the viewer; the width lies along it. The width is the longer side, the angle in [-pi/4,
+    3 pi/4).
+
+    An array whose last axis has its numbers, in this order:
 
         center.x: coordinate
         center.y: coordinate
@@ -780,7 +1011,11 @@ class Le135(Shape):
     def heading(self) -> Any: ...
 
 class Le90(Shape):
-    """Le90: an array whose last axis has its numbers, in this order.
+    """mmrotate's le90, a rotated box in an image, where y points down. The angle turns from x towards y,
+    clockwise to the viewer; the width lies along it. The width is the longer side, the angle in [-pi/2,
+    pi/2).
+
+    An array whose last axis has its numbers, in this order:
 
         center.x: coordinate
         center.y: coordinate
@@ -797,7 +1032,10 @@ class Le90(Shape):
     def heading(self) -> Any: ...
 
 class LidarBox(Shape):
-    """LidarBox: an array whose last axis has its numbers, in this order.
+    """A box of OpenPCDet: the centre, length, width, height, and the heading about the z axis, which
+    points up: counter-clockwise seen from above, 0 for travel along x.
+
+    An array whose last axis has its numbers, in this order:
 
         center.x: coordinate
         center.y: coordinate
@@ -816,7 +1054,9 @@ class LidarBox(Shape):
     def heading(self) -> Any: ...
 
 class Line2(Shape):
-    """Line2: an array whose last axis has its numbers, in this order.
+    """A line of the plane: a point of it, and a direction of any length.
+
+    An array whose last axis has its numbers, in this order:
 
         point.x: coordinate
         point.y: coordinate
@@ -830,7 +1070,9 @@ class Line2(Shape):
     def direction(self) -> Vec2: ...
 
 class Line3(Shape):
-    """Line3: an array whose last axis has its numbers, in this order.
+    """A line of space: a point of it, and a direction of any length.
+
+    An array whose last axis has its numbers, in this order:
 
         point.x: coordinate
         point.y: coordinate
@@ -846,7 +1088,10 @@ class Line3(Shape):
     def direction(self) -> Vec3: ...
 
 class NuScenesBox(Shape):
-    """NuScenesBox: an array whose last axis has its numbers, in this order.
+    """A box of nuScenes: the centre, width, length, height, and the rotation as a quaternion (w, x, y, z)
+    of any length; the direction of travel is its own x axis.
+
+    An array whose last axis has its numbers, in this order:
 
         translation.x: coordinate
         translation.y: coordinate
@@ -872,7 +1117,11 @@ class NuScenesBox(Shape):
     def rotation(self) -> Any: ...
 
 class Obb2(Shape):
-    """Obb2: an array whose last axis has its numbers, in this order.
+    """A rotated box in the plane. The heading turns from x towards y: counter-clockwise where y points up,
+    clockwise in an image, where y points down. The width lies along the heading, the height across it.
+    detectron2's and torchvision's (cxcywhr) angle is -heading in degrees.
+
+    An array whose last axis has its numbers, in this order:
 
         x: coordinate
         y: coordinate
@@ -893,7 +1142,10 @@ class Obb2(Shape):
     def heading(self) -> Any: ...
 
 class Obb3(Shape):
-    """Obb3: an array whose last axis has its numbers, in this order.
+    """A box in space of any orientation: centre, sizes along its own axes, and the quaternion (w, x, y,
+    z), of any length, that turns the axes of space to its own.
+
+    An array whose last axis has its numbers, in this order:
 
         x: coordinate
         y: coordinate
@@ -929,7 +1181,11 @@ class Obb3(Shape):
     def qz(self) -> Any: ...
 
 class OpenCvBox(Shape):
-    """OpenCvBox: an array whose last axis has its numbers, in this order.
+    """The box of OpenCV's minAreaRect since 4.5.1, but in radians: a rotated box in an image, where y
+    points down. The angle turns from x towards y, clockwise to the viewer; the width lies along it.
+    Either side may be the longer one; the angle is in (0, pi/2].
+
+    An array whose last axis has its numbers, in this order:
 
         center.x: coordinate
         center.y: coordinate
@@ -946,7 +1202,9 @@ class OpenCvBox(Shape):
     def heading(self) -> Any: ...
 
 class Pinhole(Shape):
-    """Pinhole: an array whose last axis has its numbers, in this order.
+    """A camera without distortion: focal lengths and the principal point, in pixels.
+
+    An array whose last axis has its numbers, in this order:
 
         fx: length, above 0
         fy: length, above 0
@@ -964,7 +1222,10 @@ class Pinhole(Shape):
     def cy(self) -> Any: ...
 
 class Plane3(Shape):
-    """Plane3: an array whose last axis has its numbers, in this order.
+    """The plane of all points p with normal . p = offset, and the half-space behind it; the normal has any
+    length.
+
+    An array whose last axis has its numbers, in this order:
 
         normal.x: part of a direction, not all parts 0
         normal.y: part of a direction, not all parts 0
@@ -978,7 +1239,9 @@ class Plane3(Shape):
     def offset(self) -> Any: ...
 
 class PointPair(Shape):
-    """PointPair: an array whose last axis has its numbers, in this order.
+    """A point of each of two shapes.
+
+    An array whose last axis has its numbers, in this order:
 
         on_a.x: coordinate
         on_a.y: coordinate
@@ -992,7 +1255,9 @@ class PointPair(Shape):
     def on_b(self) -> Vec2: ...
 
 class PointPair3(Shape):
-    """PointPair3: an array whose last axis has its numbers, in this order.
+    """A point of each of two shapes of space.
+
+    An array whose last axis has its numbers, in this order:
 
         on_a.x: coordinate
         on_a.y: coordinate
@@ -1008,7 +1273,9 @@ class PointPair3(Shape):
     def on_b(self) -> Vec3: ...
 
 class Pose2(Shape):
-    """Pose2: an array whose last axis has its numbers, in this order.
+    """A turn about the origin, by its cosine and sine, and then a shift.
+
+    An array whose last axis has its numbers, in this order:
 
         rotation.cos: part of a direction, not all parts 0
         rotation.sin: part of a direction, not all parts 0
@@ -1022,7 +1289,9 @@ class Pose2(Shape):
     def translation(self) -> Vec2: ...
 
 class Ray2(Shape):
-    """Ray2: an array whose last axis has its numbers, in this order.
+    """Half a line of the plane: its start, and a direction of any length.
+
+    An array whose last axis has its numbers, in this order:
 
         point.x: coordinate
         point.y: coordinate
@@ -1036,7 +1305,9 @@ class Ray2(Shape):
     def direction(self) -> Vec2: ...
 
 class Ray3(Shape):
-    """Ray3: an array whose last axis has its numbers, in this order.
+    """Half a line of space: its start, and a direction of any length.
+
+    An array whose last axis has its numbers, in this order:
 
         point.x: coordinate
         point.y: coordinate
@@ -1052,7 +1323,9 @@ class Ray3(Shape):
     def direction(self) -> Vec3: ...
 
 class Rotation3(Shape):
-    """Rotation3: an array whose last axis has its numbers, in this order.
+    """A rotation of space: a quaternion of any length.
+
+    An array whose last axis has its numbers, in this order:
 
         w: part of a quaternion, not all parts 0
         x: part of a quaternion, not all parts 0
@@ -1070,7 +1343,9 @@ class Rotation3(Shape):
     def z(self) -> Any: ...
 
 class RoundBox3(Shape):
-    """RoundBox3: an array whose last axis has its numbers, in this order.
+    """All points at most a radius from a box of any orientation; see Obb3.
+
+    An array whose last axis has its numbers, in this order:
 
         x: coordinate
         y: coordinate
@@ -1109,7 +1384,9 @@ class RoundBox3(Shape):
     def radius(self) -> Any: ...
 
 class Segment2(Shape):
-    """Segment2: an array whose last axis has its numbers, in this order.
+    """A segment of the plane, from one end to the other.
+
+    An array whose last axis has its numbers, in this order:
 
         from.x: coordinate
         from.y: coordinate
@@ -1123,7 +1400,9 @@ class Segment2(Shape):
     def to(self) -> Vec2: ...
 
 class Segment3(Shape):
-    """Segment3: an array whose last axis has its numbers, in this order.
+    """A segment of space, from one end to the other.
+
+    An array whose last axis has its numbers, in this order:
 
         start.x: coordinate
         start.y: coordinate
@@ -1139,7 +1418,9 @@ class Segment3(Shape):
     def end(self) -> Vec3: ...
 
 class Sphere(Shape):
-    """Sphere: an array whose last axis has its numbers, in this order.
+    """A ball.
+
+    An array whose last axis has its numbers, in this order:
 
         x: coordinate
         y: coordinate
@@ -1157,7 +1438,9 @@ class Sphere(Shape):
     def radius(self) -> Any: ...
 
 class Symmetric3(Shape):
-    """Symmetric3: an array whose last axis has its numbers, in this order.
+    """A symmetric matrix of three rows.
+
+    An array whose last axis has its numbers, in this order:
 
         xx: number
         yy: number
@@ -1181,7 +1464,9 @@ class Symmetric3(Shape):
     def yz(self) -> Any: ...
 
 class Tetrahedron(Shape):
-    """Tetrahedron: an array whose last axis has its numbers, in this order.
+    """A tetrahedron.
+
+    An array whose last axis has its numbers, in this order:
 
         a.x: coordinate
         a.y: coordinate
@@ -1207,7 +1492,9 @@ class Tetrahedron(Shape):
     def d(self) -> Vec3: ...
 
 class Triangle2(Shape):
-    """Triangle2: an array whose last axis has its numbers, in this order.
+    """A triangle of the plane, by its corners in any order.
+
+    An array whose last axis has its numbers, in this order:
 
         a.x: coordinate
         a.y: coordinate
@@ -1225,7 +1512,9 @@ class Triangle2(Shape):
     def c(self) -> Vec2: ...
 
 class Triangle3(Shape):
-    """Triangle3: an array whose last axis has its numbers, in this order.
+    """A triangle of space.
+
+    An array whose last axis has its numbers, in this order:
 
         a.x: coordinate
         a.y: coordinate
@@ -1246,7 +1535,9 @@ class Triangle3(Shape):
     def c(self) -> Vec3: ...
 
 class Vec2(Shape):
-    """Vec2: an array whose last axis has its numbers, in this order.
+    """A point of the plane, or a vector.
+
+    An array whose last axis has its numbers, in this order:
 
         x: coordinate
         y: coordinate
@@ -1266,7 +1557,9 @@ class Vec2(Shape):
     def length(self) -> Any: ...
 
 class Vec2x4(Shape):
-    """Vec2x4: an array whose last axis has its numbers, in this order.
+    """A quadrilateral: its corners one after another, either way round.
+
+    An array whose last axis has its numbers, in this order:
 
         [0].x: coordinate
         [0].y: coordinate
@@ -1282,7 +1575,9 @@ class Vec2x4(Shape):
     def items(self) -> list[Any]: ...
 
 class Vec3(Shape):
-    """Vec3: an array whose last axis has its numbers, in this order.
+    """A point of space, or a vector.
+
+    An array whose last axis has its numbers, in this order:
 
         x: coordinate
         y: coordinate
@@ -1305,7 +1600,9 @@ class Vec3(Shape):
     def length(self) -> Any: ...
 
 class Xyxyr(Shape):
-    """Xyxyr: an array whose last axis has its numbers, in this order.
+    """The bounds of a box before it is turned about its centre, and the angle, from x towards y.
+
+    An array whose last axis has its numbers, in this order:
 
         min.x: coordinate, at most max.x
         min.y: coordinate, at most max.y
@@ -1322,7 +1619,10 @@ class Xyxyr(Shape):
     def heading(self) -> Any: ...
 
 class YawBox3(Shape):
-    """YawBox3: an array whose last axis has its numbers, in this order.
+    """An upright box in space: centre, sizes along its own axes (length, width, height), and the heading
+    about the z axis, which points up: counter-clockwise seen from above.
+
+    An array whose last axis has its numbers, in this order:
 
         x: coordinate
         y: coordinate

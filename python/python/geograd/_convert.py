@@ -41,7 +41,8 @@ def numbers(x, name, kind):
 def _column(x, name):
     """The numbers of an Arrow column: lists of a fixed size, structs, or numbers."""
     if hasattr(x, "columns"):
-        raise TypeError(f"`{name}`: a column is needed, not a table of {', '.join(getattr(x, 'column_names', x.columns))}; geograd.arrow.Apply takes tables")
+        names = ", ".join(getattr(x, "column_names", x.columns))
+        raise TypeError(f"`{name}`: a column is needed, not a table of {names}; geograd.arrow.Apply takes tables")
     if hasattr(x, "to_arrow"):
         x = x.to_arrow()
     if hasattr(x, "combine_chunks"):

@@ -53,7 +53,9 @@ class _Kind:
         primitive.multiple_results = True
         self.host = host
         primitive.def_impl(lambda *xs, **of: [jnp.asarray(x) for x in host(xs, **of)])
-        primitive.def_abstract_eval(lambda *xs, node, **_: [jax.core.ShapedArray(s.shape, s.dtype) for s in _shapes(node, xs)])
+        primitive.def_abstract_eval(
+            lambda *xs, node, **_: [jax.core.ShapedArray(one.shape, one.dtype) for one in _shapes(node, xs)]
+        )
         mlir.register_lowering(primitive, mlir.lower_fun(self._called, multiple_results=True))
         batching.primitive_batchers[primitive] = self._batched
 
@@ -145,7 +147,7 @@ def applied(node, arguments):
     xs = [jnp.asarray(x) for x in arguments]
     for (name, _, _), x in zip(node.takes, xs):
         if jnp.issubdtype(x.dtype, jnp.floating) and x.dtype not in (jnp.float32, jnp.float64):
-            raise TypeError(f"{node.name}: `{name}` is {x.dtype}: float32 and float64 are taken; convert with .astype(jnp.float32)")
+            raise TypeError(f"{node.name}: `{name}` is {x.dtype}: float32 and float64 are taken; convert with .astype")
     floats = [x.dtype for x in xs if jnp.issubdtype(x.dtype, jnp.floating)]
     dtype = jnp.float64 if any(d == jnp.float64 for d in floats) else jnp.float32
     lead = lead_of(node, xs)

@@ -32,10 +32,11 @@ class Verb:
         """Every row of ``a`` with every row of ``b``: a matrix of shape ``(..., N, M)``, with derivatives of any order."""
         node = _nodes.of_verb(self.__name__, kind, 2)
         if len(node.takes) != 2:
-            raise TypeError(f"geograd.jax.{self.__name__}.all_pairs: {node.name} takes {len(node.takes)} arguments, and pairs are of two")
+            raise TypeError(f"{node.name} takes {len(node.takes)} arguments, and all_pairs are of two")
         (_, _, width_a), (_, _, width_b) = node.takes
-        a, b = map(_jax.jnp.asarray, (a, b))
-        return self(_jax.jnp.expand_dims(a, -2 if width_a else -1), _jax.jnp.expand_dims(b, -3 if width_b else -2), kind=kind)
+        a = _jax.jnp.expand_dims(a, -2 if width_a else -1)
+        b = _jax.jnp.expand_dims(b, -3 if width_b else -2)
+        return self(a, b, kind=kind)
 
 
 _VERBS = {name: Verb(name) for name in geograd._VERBS}

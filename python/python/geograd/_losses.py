@@ -138,14 +138,14 @@ class GIoULoss(Loss):
 
 
 class DIoULoss(Loss):
-    """One minus :func:`geograd.diou`, reduced: the IoU less the share of the squared distance of centres. See :class:`Loss`."""
+    """One minus :func:`geograd.diou`, reduced: the IoU less a share of the distance of centres. See :class:`Loss`."""
 
     def __init__(self, kind: str = "Obb2", reduction: Reduction = "mean", invalid: Invalid = None) -> None:
         super().__init__("diou", kind, reduction, invalid)
 
 
 class CIoULoss(Loss):
-    """One minus :func:`geograd.ciou`, reduced: that of :class:`DIoULoss` and one of aspects, whose weight has a derivative.
+    """One minus :func:`geograd.ciou`, reduced: :class:`DIoULoss` and one of aspects, whose weight has a derivative.
 
     ``Loss("ciou_fixed_weight")`` takes the weight as a constant, as torchvision does. See :class:`Loss`.
     """
@@ -155,14 +155,14 @@ class CIoULoss(Loss):
 
 
 class EIoULoss(Loss):
-    """One minus :func:`geograd.eiou`, reduced: that of :class:`DIoULoss` and those of width and height. See :class:`Loss`."""
+    """One minus :func:`geograd.eiou`, reduced: :class:`DIoULoss` and those of width and height. See :class:`Loss`."""
 
     def __init__(self, kind: str = "Obb2", reduction: Reduction = "mean", invalid: Invalid = None) -> None:
         super().__init__("eiou", kind, reduction, invalid)
 
 
 class ProbIoULoss(Loss):
-    """One minus :func:`geograd.probiou`, reduced: Hellinger's distance of boxes as Gaussians of variances ``size ** 2 / 12``.
+    """One minus :func:`geograd.probiou`, reduced: Hellinger's distance of Gaussians of variances ``size ** 2 / 12``.
 
     See :class:`Loss`.
     """

@@ -5,7 +5,7 @@ import re
 
 import numpy as np
 
-from . import _convert, _core
+from . import _convert, _core, _meaning
 
 
 class Part:
@@ -121,12 +121,11 @@ def _classes():
             made.append(None)
             continue
         fields = [field for field, _, _ in described]
-        lines = [f"    {field}: {unit}{', ' + limit if limit else ''}" for field, unit, limit in described]
         bases = (_Vector, _core.Shape) if name in ("Vec2", "Vec3") else (_core.Shape,)
         body = {
             "__slots__": (),
             "__module__": "geograd",
-            "__doc__": "\n".join([f"{name}: an array whose last axis has its numbers, in this order.", "", *lines]),
+            "__doc__": _meaning.described(name, described),
             "_kind": kind,
             "_fields": tuple(fields),
             "_codes": codes,
@@ -169,7 +168,11 @@ class Paths(_core.Paths):
 
 
 class Rings(Paths):
-    """Closed paths: the last vertex of each is joined with its first one."""
+    """Closed paths: the last vertex of each is joined with its first one, which is not repeated.
+
+    An area is positive for counter-clockwise vertices. A distance is that from the edges, also inside;
+    ``np.maximum(geograd.signed_distance(points, rings), 0)`` is that of shapely from polygons.
+    """
 
     __slots__ = ()
     _path = "ring"

@@ -5,7 +5,9 @@ from __future__ import annotations
 import torch
 
 import geograd
-from geograd import _nodes, _torch
+from geograd import _nodes, _torch, _torch_polygons
+
+_ANY_POLYGONS = (_torch_polygons.Polygons, geograd.Polygons)
 
 
 class _Pairs(torch.autograd.Function):
@@ -67,13 +69,15 @@ class Verb:
         return (_verb, (self.__name__,))
 
     def __call__(self, *arguments, kind=None, to=None):
+        if any(isinstance(x, _ANY_POLYGONS) for x in arguments):
+            return _torch_polygons.run(self.__name__, arguments)
         return _torch.of_verb(self.__name__, arguments, kind, to)
 
     def _two(self, form, a, b, kind):
         """The node and both lists of a form of pairs."""
         node = _nodes.of_verb(self.__name__, kind, 2)
         if len(node.takes) != 2:
-            raise TypeError(f"geograd.torch.{self.__name__}.{form}: {node.name} takes {len(node.takes)} arguments, and pairs are of two")
+            raise TypeError(f"{node.name} takes {len(node.takes)} arguments, and {form} is of two")
         return node, _torch.tensors(self.__name__, (a, b))
 
     def all_pairs(self, a, b, *, kind=None):
@@ -120,7 +124,7 @@ class Verb:
 
     @torch.compiler.disable
     def column_max(self, a, b, *, groups=None, kind=None):
-        """The largest result of every row of ``b``, with derivatives, and its row of ``a``; -inf and -1 where there are none."""
+        """The same of every row of ``b``."""
         return self._most("column_max", a, b, groups, kind)
 
     def _most(self, form, a, b, groups, kind):
@@ -129,7 +133,8 @@ class Verb:
             return self._most_on_device(form, a, b, groups, kind)
         groups = None if groups is None else tuple(map(_offsets, groups))
         arrays = a.detach().numpy(), b.detach().numpy()
-        values, places = map(torch.from_numpy, getattr(node.base.verb, form)(*arrays, groups=groups, kind=node.base.kinds))
+        found = getattr(node.base.verb, form)(*arrays, groups=groups, kind=node.base.kinds)
+        values, places = map(torch.from_numpy, found)
         if torch.is_grad_enabled() and (a.requires_grad or b.requires_grad):
             found = torch.nonzero(places >= 0).squeeze(-1)
             own, other = found, places[found]

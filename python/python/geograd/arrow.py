@@ -71,7 +71,7 @@ def array(column: Any, kind: Optional[str] = None, name: str = "column") -> Any:
     _whole(column, name)
     fields = _FIELDS.get(kind)
     if kind is not None and fields is None:
-        raise ValueError(f"kind: no shape is called {kind!r}; {_nodes.alike(kind, geograd._CLASSES)}")
+        raise ValueError(f"kind: no shape is called {kind!r}; {_nodes.alike(kind, _FIELDS)}")
     if pa.types.is_fixed_size_list(column.type):
         size = column.type.list_size
         if fields and size != len(fields):

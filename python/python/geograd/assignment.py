@@ -45,3 +45,26 @@ def largest(pairs: Pairs, groups: Groups = None) -> tuple[Any, Any, Any]:
     """
     found: tuple[Any, Any, Any] = _core.assigned(*_pairs(pairs), False, groups)
     return found
+
+
+def optimal(gains):
+    """Rows and columns of the one-to-one pairs with the largest sum of a matrix of gains, by row.
+
+    As many pairs as the shorter side has, those with negative gains included: what
+    ``scipy.optimize.linear_sum_assignment(gains, maximize=True)`` gives.
+    """
+    return _core.assigned_matrix(np.ascontiguousarray(gains, np.float64))
+
+
+def cheapest(costs, most=None):
+    """Rows and columns of the one-to-one pairs with the smallest sum of a matrix of costs, by row.
+
+    With ``most`` only pairs that cost less than it are joined: each saves ``most`` less its cost, and the sum of savings is
+    the largest. Costs that are not finite are never joined then.
+    """
+    costs = np.ascontiguousarray(costs, np.float64)
+    if most is None:
+        return optimal(-costs)
+    rows, columns = np.nonzero(costs < most)
+    first, second, _ = largest((rows, columns, most - costs[rows, columns]))
+    return first, second

@@ -10,7 +10,7 @@ Losses: ``loss("giou", a, b)``, and by their names ``iou_loss``, ``giou_loss``, 
 
 from __future__ import annotations
 
-from typing import Any, Callable, Literal, Optional, Union
+from typing import Any, Callable, Literal, Optional, Protocol, Union
 
 import jax.numpy as jnp
 
@@ -95,7 +95,22 @@ def _reduced(losses: Array, reduction: Reduction, weight: Optional[Array], avg_f
     return losses.sum() / max(losses.size, 1) if reduction == "mean" else losses.sum()
 
 
-def _named(verb: str) -> Callable[..., Array]:
+class NamedLoss(Protocol):
+    """A loss of one score; see :func:`loss`."""
+
+    def __call__(
+        self,
+        prediction: Array,
+        target: Array,
+        *,
+        kind: str = "Obb2",
+        reduction: Reduction = "mean",
+        weight: Optional[Array] = None,
+        avg_factor: Union[float, Array, None] = None,
+    ) -> Array: ...
+
+
+def _named(verb: str) -> NamedLoss:
     def named(
         prediction: Array,
         target: Array,
