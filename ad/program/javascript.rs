@@ -3,14 +3,15 @@
 //! JavaScript promises no bits of its own sines, exponentials, logarithms and angles. A module has the library's: the
 //! formulas of `src/scalar/` recorded as programs, and printed as they are. Reading and writing the bits of numbers,
 //! which programs do not, is in `prelude.js`.
-use super::record::{Listed, graph_of};
+use super::blocks::{Block, formula, needed, wrapped};
+use super::graph::Node;
+use super::record::Listed;
 use super::recorded::Recorded;
 use super::source::{self, Dialect, lines, listed};
 use crate::Unrecordable;
 use crate::scalar::arc_tangent::atan2_wide;
 use crate::scalar::exponential::{LN_SERIES, exp_parts, ln_from, normal};
 use crate::scalar::float::{REDUCED, sin_cos_reduced};
-use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::sync::LazyLock;
 
@@ -36,7 +37,7 @@ pub(crate) fn module(name: &str, recorded: &Recorded, input: impl Fn(usize) -> S
     let results = listed(&recorded.value.outputs, &known);
     let mut text =
         "// Written by geograd. In 64-bit floats, with the bits of the library.\n\n".to_owned();
-    for block in needed(&code) {
+    for block in needed(&PRELUDE, &code) {
         let _ = writeln!(text, "{block}\n");
     }
     let _ = writeln!(text, "/**");
@@ -64,71 +65,19 @@ pub(crate) fn module(name: &str, recorded: &Recorded, input: impl Fn(usize) -> S
     text
 }
 
-/// Returns words in lines, with commas between words.
-fn wrapped(words: impl Iterator<Item = String>) -> Vec<String> {
-    const MOST: usize = 80;
-    let mut lines: Vec<String> = Vec::new();
-    for word in words {
-        match lines.last_mut() {
-            Some(line) if line.len() + word.len() <= MOST => {
-                let _ = write!(line, ", {word}");
-            }
-            _ => lines.push(word),
-        }
-    }
-    lines
-}
-
-/// Returns the declarations that a text refers to, and those that they refer to, in the order of the prelude.
-fn needed(code: &str) -> Vec<&'static str> {
-    let mut wanted = vec![false; PRELUDE.len()];
-    let mut open: Vec<&str> = called(code).into_iter().collect();
-    while let Some(word) = open.pop() {
-        let place = PRELUDE.iter().position(|block| block.names(word));
-        if let Some(place) = place.filter(|&place| !wanted[place]) {
-            wanted[place] = true;
-            open.extend(called(&PRELUDE[place].text));
-        }
-    }
-    let chosen = PRELUDE.iter().zip(wanted).filter(|(_, is)| *is);
-    chosen.map(|(block, _)| &*block.text).collect()
-}
-
-/// Returns the names of the prelude in a text.
-fn called(text: &str) -> BTreeSet<&str> {
-    let name = |(at, _): (usize, &str)| {
-        let rest = &text[at..];
-        let is_part = |c: char| c == '_' || c.is_ascii_alphanumeric();
-        &rest[..rest.find(|c| !is_part(c)).unwrap_or(rest.len())]
-    };
-    text.match_indices("program_").map(name).collect()
-}
-
-/// Declarations of a module.
-struct Block {
-    text: String,
-}
-
-impl Block {
-    /// Returns `true` if it declares a name.
-    fn names(&self, name: &str) -> bool {
-        let mut lines = self.text.lines();
-        lines.any(|line| {
-            let rest = ["function ", "const "]
-                .iter()
-                .find_map(|word| line.strip_prefix(word));
-            let rest = rest.and_then(|rest| rest.strip_prefix(name));
-            rest.is_some_and(|rest| rest.starts_with([' ', '(']))
-        })
-    }
+/// Returns the name that a line declares.
+fn declared(line: &str) -> Option<&str> {
+    let rest = ["function ", "const "]
+        .iter()
+        .find_map(|word| line.strip_prefix(word))?;
+    rest.split([' ', '(']).next()
 }
 
 /// All declarations that programs may need: of bits, and the library's formulas.
 static PRELUDE: LazyLock<Vec<Block>> = LazyLock::new(|| {
     let bits = BITS.trim_end().split("\n\n").map(str::to_owned);
-    bits.chain(elementary())
-        .map(|text| Block { text })
-        .collect()
+    let all = bits.chain(elementary());
+    all.map(|text| Block::new(text, declared)).collect()
 });
 
 /// Returns the elementary functions, recorded from the formulas that the library computes with.
@@ -140,19 +89,19 @@ fn elementary() -> Vec<String> {
     };
     let one = |results: &[String]| results[0].clone();
     vec![
-        formula(
+        function(
             ("The sine.", "program_sin", &["x"]),
             &far(0),
             &|x| vec![sin_cos_reduced(x[0]).0],
             &one,
         ),
-        formula(
+        function(
             ("The cosine.", "program_cos", &["x"]),
             &far(1),
             &|x| vec![sin_cos_reduced(x[0]).1],
             &one,
         ),
-        formula(
+        function(
             (
                 "The angle of the vector (x, y); of the zero vector 0.",
                 "program_atan2",
@@ -162,7 +111,7 @@ fn elementary() -> Vec<String> {
             &|yx| vec![atan2_wide(yx[0], yx[1])],
             &one,
         ),
-        formula(
+        function(
             ("The exponential.", "program_exp", &["x"]),
             "",
             &|x| exp_parts(x[0]).to_vec(),
@@ -175,7 +124,7 @@ fn elementary() -> Vec<String> {
                 )
             },
         ),
-        formula(
+        function(
             (
                 "The number, or 2^54 times it if it is subnormal.",
                 "program_normal",
@@ -185,7 +134,7 @@ fn elementary() -> Vec<String> {
             &|x| vec![normal(x[0])],
             &one,
         ),
-        formula(
+        function(
             (
                 "The logarithm of x, with the exponent and the significand of its normal number.",
                 "program_ln_from",
@@ -205,19 +154,13 @@ fn elementary() -> Vec<String> {
 }
 
 /// Returns a function of numbers, recorded from a formula of the library; `result` makes its result of the formula's.
-fn formula(
+fn function(
     (about, name, takes): (&str, &str, &[&str]),
     start: &str,
-    formula: Listed<'_, f64>,
+    recorded: Listed<'_, f64>,
     result: &dyn Fn(&[String]) -> String,
 ) -> String {
-    let (graph, outputs) = match graph_of::<f64>(takes.len(), formula) {
-        Ok(made) => made,
-        Err(_) => unreachable!("the formulas of scalars are straight lines"),
-    };
-    let mut code = String::new();
-    let known = lines(&JavaScript(takes), &graph, &mut code);
-    let results: Vec<String> = outputs.iter().map(|&x| known[x as usize].clone()).collect();
+    let (code, results) = formula(&JavaScript(takes), takes.len(), recorded);
     let (takes, result) = (takes.join(", "), result(&results));
     format!("// {about}\nfunction {name}({takes}) {{\n{start}{code}    return {result};\n}}")
 }
@@ -226,9 +169,14 @@ fn formula(
 struct JavaScript<'a>(&'a [&'a str]);
 
 impl Dialect for JavaScript<'_> {
-    const DEFINES: &'static str = "const";
     const SIGNS: [&'static str; 3] = ["===", "&&", "||"];
-    const ENDS: &'static str = "";
+
+    fn shares(&self) -> [&'static str; 2] {
+        ["0", "0.5"]
+    }
+    fn defines(&self, _node: Node) -> &'static str {
+        "const"
+    }
 
     fn literal(&self, x: f64) -> String {
         match x {

@@ -41,8 +41,10 @@
 //! `record` calls the function with symbols; `simplify` keeps the graph in exact normal form as it grows. `reverse` and
 //! `forward` append gradients and products with Jacobian and Hessian as further nodes, so these are programs, too. A
 //! choice passes its cotangent on together with the path on which it counts, so the branch not taken contributes
-//! nothing. `print` writes text; `source` programs in other languages, of which `wgsl` and
+//! nothing. `print` writes text; `source` programs in other languages, of which `wgsl`, `c` and
 //! `javascript` are dialects.
+pub(crate) mod blocks;
+pub(crate) mod c;
 mod cost;
 mod derivative;
 pub(crate) mod evaluate;

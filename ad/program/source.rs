@@ -5,12 +5,13 @@ use std::fmt::Write;
 
 /// A language, by the text of those operations that languages write differently. Operands are names.
 pub(crate) trait Dialect {
-    /// The word before the name of a new number.
-    const DEFINES: &'static str;
     /// The signs of equality, of both truths and of either.
     const SIGNS: [&'static str; 3];
-    /// What follows the digits of a number.
-    const ENDS: &'static str;
+
+    /// Returns zero and one half.
+    fn shares(&self) -> [&'static str; 2];
+    /// Returns the words before the name of a new node.
+    fn defines(&self, node: Node) -> &'static str;
 
     /// Returns a number of the format.
     fn literal(&self, x: f64) -> String;
@@ -49,7 +50,7 @@ pub(crate) fn lines<D: Dialect>(dialect: &D, graph: &Graph, text: &mut String) -
         let own = dialect.name(i, node);
         let value = dialect.value(i, node, &known);
         // Writing to a string does not fail.
-        let _ = writeln!(text, "    {} {own} = {value};", D::DEFINES);
+        let _ = writeln!(text, "    {} {own} = {value};", dialect.defines(node));
         known.push(own);
     }
     known
@@ -114,14 +115,8 @@ pub(crate) fn expression<D: Dialect>(dialect: &D, node: Node, known: &[String]) 
         High(x) => one("program_high", x),
         Graft { value, .. } => v(value).to_owned(),
         // Derivatives have thousands of these, and drivers move all that follows whenever they inline a call.
-        Split(a, b, bar) => {
-            let zero = format!("0{}", D::ENDS);
-            shared(dialect, v(a), v(b), (&zero, v(bar)), v(bar))
-        }
-        Rest(a, b, bar) => {
-            let zero = format!("0{}", D::ENDS);
-            shared(dialect, v(a), v(b), (v(bar), &zero), v(bar))
-        }
+        Split(a, b, bar) => shared(dialect, v(a), v(b), (dialect.shares()[0], v(bar)), v(bar)),
+        Rest(a, b, bar) => shared(dialect, v(a), v(b), (v(bar), dialect.shares()[0]), v(bar)),
         Lt(a, b) => between(a, "<", b),
         Le(a, b) => between(a, "<=", b),
         Eq(a, b) if a == b => dialect.is_number(v(a)),
@@ -142,10 +137,10 @@ fn shared<D: Dialect>(
     (more, less): (&str, &str),
     bar: &str,
 ) -> String {
-    let (equals, ends) = (D::SIGNS[0], D::ENDS);
+    let (equals, half) = (D::SIGNS[0], dialect.shares()[1]);
     let tied = dialect.select(
         &format!("{a} {equals} {b}"),
-        &format!("{bar} * 0.5{ends}"),
+        &format!("{bar} * {half}"),
         more,
     );
     dialect.select(&format!("{a} < {b}"), less, &tied)

@@ -72,9 +72,14 @@ struct Wgsl<'a> {
 }
 
 impl Dialect for Wgsl<'_> {
-    const DEFINES: &'static str = "let";
     const SIGNS: [&'static str; 3] = ["==", "&", "|"];
-    const ENDS: &'static str = "f";
+
+    fn shares(&self) -> [&'static str; 2] {
+        ["0f", "0.5f"]
+    }
+    fn defines(&self, _node: Node) -> &'static str {
+        "let"
+    }
 
     fn literal(&self, x: f64) -> String {
         literal(x as f32)

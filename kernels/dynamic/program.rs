@@ -7,7 +7,7 @@ use super::symbol::Symbol;
 use crate::ad::program::opened::Opened;
 use crate::ad::program::print::print;
 use crate::ad::program::recorded::Recorded;
-use crate::ad::program::{Cost, Format, Sym, javascript, wgsl};
+use crate::ad::program::{Cost, Format, Sym, c, javascript, wgsl};
 use crate::error::{Argument, Error, Unrecordable};
 use crate::kernels::call::recording::{Body, Recording};
 use crate::kernels::row::item::Leaf;
@@ -344,6 +344,47 @@ impl<T: Real> Program<T> {
             _ => values,
         };
         Ok(made.into_iter().map(Symbol).collect())
+    }
+}
+
+impl<T: Real> Program<T> {
+    /// Returns the program as a function of C, as [`Program::c`](crate::Program::c).
+    ///
+    /// # Errors
+    ///
+    /// If the name is not an identifier, or has a meaning in C, C++ or CUDA.
+    pub fn c(&self, name: &str) -> Result<String, Error> {
+        c::checked(name).map_err(Error::Program)?;
+        Ok(c::function(name, &self.inner.recorded, |i| self.input(i)))
+    }
+    /// Returns the header of [`c`](Program::c), which names the numbers.
+    ///
+    /// # Errors
+    ///
+    /// As `c`.
+    pub fn c_header(&self, name: &str) -> Result<String, Error> {
+        c::checked(name).map_err(Error::Program)?;
+        Ok(c::header(name, &self.inner.recorded, |i| self.input(i)))
+    }
+    /// Returns the program as a kernel of CUDA over rows,
+    /// `NAME(count, inner, of_a, a_step, a_inner, ..., out0, ...)`: a thread computes row `i inner + j` of every result
+    /// from the rows of arguments at `i a_step + j a_inner`. Rows of a result follow each other.
+    ///
+    /// # Errors
+    ///
+    /// As [`c`](Program::c).
+    pub fn cuda(&self, name: &str) -> Result<String, Error> {
+        c::checked(name).map_err(Error::Program)?;
+        let identifier = |argument: &Argument| {
+            let is_letter = |c: char| c.is_ascii_alphanumeric();
+            argument.to_string().replace(|c| !is_letter(c), "_")
+        };
+        let names = self.inner.names.iter().map(identifier);
+        let arguments: Vec<_> = names.zip(self.inputs()).collect();
+        let input = |i| self.input(i);
+        let inner = &self.inner;
+        let gives = &inner.recording.outputs;
+        Ok(c::kernel(name, &inner.recorded, &arguments, gives, input))
     }
 }
 

@@ -93,6 +93,13 @@ pub(crate) fn exp_parts<W: Scalar>(x: W) -> [W; 3] {
 /// Returns the exponential in `f64` of a number that is an `f32`: right to 2⁻³⁶.
 #[inline(always)]
 pub(crate) fn exp_single<W: Exponents>(x: W) -> W {
+    let [power, k] = exp_parts_short(x);
+    W::select(x.equals(x), power * W::power_of_two(k), x)
+}
+
+/// Returns `(p, k)` with `eˣ = p 2ᵏ`, in `f64` for a number that is an `f32`.
+#[inline(always)]
+pub(crate) fn exp_parts_short<W: Scalar>(x: W) -> [W; 2] {
     // 1/n! from n = 2.
     let series = [
         0.5,
@@ -107,7 +114,7 @@ pub(crate) fn exp_single<W: Exponents>(x: W) -> W {
     // Beyond these limits results are 0 and infinity as `f32`.
     let near = x.most(W::lit(-150.0)).least(W::lit(90.0));
     let (k, power) = reduced(near, series);
-    W::select(x.equals(x), power * W::power_of_two(k), x)
+    [power, k]
 }
 
 /// Returns `k` and `eʳ` with `x = k ln 2 + r`.
@@ -145,8 +152,12 @@ pub(crate) const LN_SERIES: [f64; 7] = [
 /// With the series of the inverse hyperbolic tangent in place of the minimax polynomial.
 #[inline(always)]
 pub(crate) fn ln_single<W: Exponents>(x: W) -> W {
-    ln_by(x, [2.0 / 3.0, 2.0 / 5.0, 2.0 / 7.0, 2.0 / 9.0, 2.0 / 11.0])
+    ln_by(x, LN_SERIES_SHORT)
 }
+
+/// The series of [`ln_single`].
+pub(crate) const LN_SERIES_SHORT: [f64; 5] =
+    [2.0 / 3.0, 2.0 / 5.0, 2.0 / 7.0, 2.0 / 9.0, 2.0 / 11.0];
 
 #[inline(always)]
 fn ln_by<W: Exponents, const N: usize>(x: W, series: [f64; N]) -> W {

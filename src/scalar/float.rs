@@ -81,7 +81,7 @@ pub(crate) fn sin_cos_reduced<W: Scalar<Primal = W>>(angle: W) -> (W, W) {
 /// As [`sin_cos_reduced`], with shorter polynomials (minimax, by Remez' exchange) and π/2 in two
 /// parts, of which the first has 33 bits.
 #[inline(always)]
-fn sin_cos_short<W: Scalar<Primal = W>>(angle: W) -> (W, W) {
+pub(crate) fn sin_cos_short<W: Scalar<Primal = W>>(angle: W) -> (W, W) {
     let quadrant = quadrant_of(angle);
     let r = (angle - quadrant * W::lit(1.570_796_326_734_125_6))
         - quadrant * W::lit(6.077_100_506_506_192e-11);

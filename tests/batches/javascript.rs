@@ -1,25 +1,11 @@
 //! Programs as JavaScript, run by Node: the bits of the library, of values and of derivatives.
+use crate::written::{cases, straight};
 use geograd::ad::program::{Program, Sym};
 use geograd::ad::sample::Draw;
-use geograd::kernels::dynamic::{Mode, Rows, Sort};
 use geograd::{Error, Obb2, Scalar, Unrecordable, Vec2};
-use geograd_tests::list::{self, Tested, are_sampled, columns};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-
-/// Inputs of a row.
-const COUNT: usize = 30;
-
-/// The rows whose text has each helper of modules, and some of the longest.
-const ALWAYS: &[&str] = &[
-    "iou_obb2",
-    "giou_obb2",
-    "ciou_obb2",
-    "iou_obb3",
-    "signed_distance_obb2",
-    "kullback_leibler_obb2",
-];
 
 /// A folder for modules and their cases, written for Node.
 struct Folder {
@@ -68,71 +54,14 @@ impl Folder {
     }
 }
 
-/// Items of a batch, of which the results are columns.
-fn by_item(results: &[Vec<f64>], count: usize) -> Vec<Vec<f64>> {
-    let item = |i: usize| {
-        let own = |column: &Vec<f64>| {
-            let width = column.len() / count;
-            column[i * width..(i + 1) * width].to_vec()
-        };
-        results.iter().flat_map(own).collect()
-    };
-    (0..count).map(item).collect()
-}
-
-/// Adds the value of a row and its derivatives: the gradient of one number, of more the adjoint.
-fn add(folder: &mut Folder, row: &Tested) {
-    let (operation, name) = (&row.operation, row.name());
-    let program = operation.program::<f64>().expect(name);
-    let mut hard = row.hard().into_iter().step_by(7).take(COUNT / 2);
-    let drawn = |draw: &mut Draw| hard.next().unwrap_or_else(|| row.random(draw));
-    let mut items = list::inputs::<f64>(row, COUNT, drawn);
-    let batch = |mode: Mode, items: &[Vec<f64>], widths: &[usize]| {
-        let function = operation.function::<f64>(mode).expect(name);
-        let mut lists = columns(row, items);
-        if mode == Mode::Vjp {
-            let from = lists.iter().map(|x| x.len() / items.len()).sum::<usize>();
-            lists.push(items.iter().flat_map(|x| x[from..].to_vec()).collect());
-        }
-        let lists = lists.iter().zip(widths);
-        let rows: Vec<_> = lists.map(|(list, &width)| Rows::new(list, width)).collect();
-        by_item(&function.aligned(&rows).expect(name), items.len())
-    };
-    let mut widths: Vec<usize> = operation
-        .layouts::<f64>()
-        .iter()
-        .map(|x| x.fields())
-        .collect();
-    let module = program.javascript("of").expect(name);
-    let value = batch(Mode::Value, &items, &widths);
-    folder.add(name, &module, &items, &value);
-    let outputs = list::outputs(row);
-    let (derivatives, mode) = match outputs {
-        1 => (program.value_grad().expect(name), Mode::ValueGrad),
-        _ => (program.vjp().expect(name), Mode::Vjp),
-    };
-    if mode == Mode::Vjp {
-        let mut draw = Draw::new(3);
-        for item in &mut items {
-            item.extend((0..outputs).map(|_| draw.within(-2.0, 2.0)));
-        }
-        widths.push(outputs);
-    }
-    let expected = batch(mode, &items, &widths);
-    let module = derivatives.javascript("of").expect(name);
-    folder.add(&format!("{name}_derivatives"), &module, &items, &expected);
-}
-
 #[test]
 fn every_straight_line_has_its_bits_in_javascript() {
-    let mut all = list::rows();
-    all.retain(|row| row.operation.sort == Sort::Straight);
-    // Shapes with whole numbers have no program.
-    all.retain(|row| row.operation.program::<f64>().is_ok());
-    let chosen = are_sampled(all.iter().map(|row| row.name()).collect(), ALWAYS);
     let mut folder = Folder::new("rows");
-    for row in all.iter().filter(|row| chosen.contains(row.name())) {
-        add(&mut folder, row);
+    for row in straight() {
+        for case in cases::<f64>(row) {
+            let module = case.program.javascript("of").expect(&case.name);
+            folder.add(&case.name, &module, &case.inputs, &case.expected);
+        }
     }
     folder.run();
 }

@@ -1,5 +1,6 @@
 //! Batches on the CPU.
 mod bits;
+mod c_source;
 mod calls;
 mod declared;
 mod dynamic;
@@ -26,3 +27,4 @@ mod spellings;
 mod straight;
 mod verbs;
 mod widths;
+mod written;

@@ -27,7 +27,7 @@ class Loss(torch.nn.Module):
     ``invalid`` says what a pair with a number that is infinite or NaN, or with a negative size, gives. ``"raise"`` raises an
     error that names the item. ``"nan"`` gives NaN with gradient NaN, for which ``torch.amp.GradScaler`` skips a step.
     ``"ignore"`` gives 0 with gradient 0, as do pairs of weight 0 then. By default pairs raise, under ``torch.autocast`` they
-    are NaN.
+    are NaN. On CUDA nothing raises: pairs are not checked unless ``invalid`` is ``"nan"`` or ``"ignore"``.
 
     Half precision is computed in float32. The module has no parameters and no state.
     """
@@ -51,7 +51,7 @@ class Loss(torch.nn.Module):
     ) -> torch.Tensor:
         invalid = getattr(self, "invalid", None)
         if invalid is None:
-            invalid = "nan" if torch.is_autocast_enabled("cpu") else "raise"
+            invalid = "nan" if torch.is_autocast_enabled(prediction.device.type) else "raise"
         prediction, target = _torch.tensors(self.verb, (prediction, target), casts=True)
         if invalid == "raise":
             is_plain = not torch.compiler.is_compiling() and type(self)._of is Loss._of

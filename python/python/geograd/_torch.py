@@ -9,10 +9,11 @@ import torch
 
 from torch.autograd import forward_ad
 
-from geograd import _core, _nodes
+from geograd import _core, _cuda, _nodes
 
 _FLOATS = (torch.float32, torch.float64)
 _PLAIN = (torch.Tensor, torch.nn.Parameter)
+_DEVICES = ("cpu", "cuda", "meta")
 
 
 def lead_of(node, xs):
@@ -43,6 +44,8 @@ def _lent(x, lead, width):
 def computed(node, xs):
     """The results of a node, as new tensors."""
     lead = lead_of(node, xs)
+    if xs[0].is_cuda:
+        return _cuda.computed(node, xs, lead)
     if 0 in lead:
         return [xs[0].new_empty(_nodes.size(lead, width)) for width in node.gives]
     arrays = [_lent(x, lead, width) for (_, _, width), x in zip(node.takes, xs)]
@@ -60,7 +63,7 @@ def computed(node, xs):
     return results
 
 
-@torch.library.custom_op("geograd::call", mutates_args=(), device_types="cpu")
+@torch.library.custom_op("geograd::call", mutates_args=(), device_types=("cpu", "cuda"))
 def call(name: str, xs: list[torch.Tensor]) -> list[torch.Tensor]:
     return computed(_nodes.named(name), xs)
 
@@ -227,17 +230,28 @@ def applied(node, xs):
     return tuple(computed(node, xs))
 
 
+def lacks(name, x, lacks_it):
+    """Raises an error for what a device does not compute."""
+    if lacks_it and x.is_cuda:
+        raise TypeError(
+            f"geograd.torch.{name} computes on the CPU, and a tensor is on {x.device}: move it with .cpu(), and the result back"
+        )
+
+
 def tensors(name, arguments, casts=False):
-    """Arguments as tensors of one format on the CPU; half precision is cast to float32 under autocast, or if asked to."""
-    dtypes = set()
+    """Arguments as tensors of one format and device; half precision is float32 under autocast, or if asked to."""
+    dtypes, device = set(), None
     for x in arguments:
         if isinstance(x, torch.Tensor):
-            if x.device.type not in ("cpu", "meta"):
+            if x.device.type not in _DEVICES:
                 raise TypeError(
-                    f"geograd.torch.{name} computes on the CPU, and a tensor is on {x.device}: "
+                    f"geograd.torch.{name} computes on the CPU and on CUDA, and a tensor is on {x.device}: "
                     "move it with .cpu(), and the result back with .to(device); gradients follow"
                 )
+            if device is not None and x.device != device:
+                raise TypeError(f"geograd.torch.{name}: one tensor is on {device}, another on {x.device}")
             dtypes.add(x.dtype)
+            device = x.device
     if len(dtypes) == 1 and len(arguments) == sum(isinstance(x, torch.Tensor) for x in arguments):
         (dtype,) = dtypes
         if dtype in _FLOATS:
@@ -248,14 +262,14 @@ def tensors(name, arguments, casts=False):
     for dtype in dtypes - set(_FLOATS):
         if dtype.is_complex:
             raise TypeError(f"geograd.torch.{name} takes float32 and float64, not {dtype}")
-        if dtype.is_floating_point and not (casts or torch.is_autocast_enabled("cpu")):
+        if dtype.is_floating_point and not (casts or torch.is_autocast_enabled(device.type)):
             raise TypeError(
                 f"geograd.torch.{name} takes float32 and float64, not {dtype}: convert with .float(); "
                 "under torch.autocast this happens by itself"
             )
     # Of whole numbers alone, and of half precision beside double, double.
     dtype = torch.float64 if torch.float64 in floats or not floats else torch.float32
-    return [x.to(dtype) if isinstance(x, torch.Tensor) else torch.as_tensor(x, dtype=dtype) for x in arguments]
+    return [x.to(dtype) if isinstance(x, torch.Tensor) else torch.as_tensor(x, dtype=dtype, device=device) for x in arguments]
 
 
 @torch.compiler.assume_constant_result
@@ -284,11 +298,11 @@ def of_node(node, name, arguments, casts=False):
     return tuple(results) if node.is_tuple else results[0]
 
 
-@torch.library.custom_op("geograd::valid", mutates_args=(), device_types="cpu")
+@torch.library.custom_op("geograd::valid", mutates_args=(), device_types=("cpu", "cuda"))
 def valid(kind: str, x: torch.Tensor) -> torch.Tensor:
     """Whether each row is a shape: of finite numbers within the limits of the kind."""
-    rows = x.detach().reshape(-1, x.shape[-1]).contiguous().double().numpy()
-    return torch.from_numpy(_core.valid(kind, rows)).reshape(x.shape[:-1])
+    rows = x.detach().reshape(-1, x.shape[-1]).double().cpu().contiguous().numpy()
+    return torch.from_numpy(_core.valid(kind, rows)).reshape(x.shape[:-1]).to(x.device)
 
 
 @valid.register_fake

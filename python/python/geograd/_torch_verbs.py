@@ -96,7 +96,7 @@ class Verb:
     def _is_special(node, a, b):
         """Whether pairs are taken one by one: in transforms, in batches, of results of several numbers."""
         has_axes = any(x.dim() - bool(width) != 1 for x, (_, _, width) in zip((a, b), node.takes))
-        return has_axes or node.gives != [0] or _torch.is_transformed() or _torch.has_tangents()
+        return a.is_cuda or has_axes or node.gives != [0] or _torch.is_transformed() or _torch.has_tangents()
 
     def _total(self, form, a, b, kind):
         if torch.compiler.is_compiling():
@@ -129,6 +129,8 @@ class Verb:
 
     def _most(self, form, a, b, groups, kind):
         node, (a, b) = self._two(form, a, b, kind)
+        if a.is_cuda:
+            return self._most_on_device(form, a, b, groups, kind)
         groups = None if groups is None else tuple(map(_offsets, groups))
         arrays = a.detach().numpy(), b.detach().numpy()
         found = getattr(node.base.verb, form)(*arrays, groups=groups, kind=node.base.kinds)
@@ -140,11 +142,26 @@ class Verb:
             values = values.index_copy(0, found, self(*pairs, kind=kind))
         return values, places
 
+    def _most_on_device(self, form, a, b, groups, kind):
+        """The largest results of a matrix on a device."""
+        _torch.lacks(f"{self.__name__}.{form} in groups", a, groups is not None)
+        matrix, axis = self.all_pairs(a, b, kind=kind), 1 if form == "row_max" else 0
+        if matrix.shape[axis] == 0:
+            size = matrix.shape[1 - axis]
+            return matrix.new_full((size,), -torch.inf), torch.full((size,), -1, dtype=torch.int64, device=a.device)
+        values, places = matrix.max(axis)
+        return values, places
+
     @torch.compiler.disable
     def above(self, a, b, threshold, *, groups=None, kind=None):
         """Every pair, with groups every pair of a group, whose result is above a threshold: rows of ``a``, rows of ``b``,
         results with derivatives."""
         node, (a, b) = self._two("above", a, b, kind)
+        if a.is_cuda:
+            _torch.lacks(f"{self.__name__}.above in groups", a, groups is not None)
+            matrix = self.all_pairs(a, b, kind=kind)
+            rows, columns = torch.nonzero(matrix > threshold, as_tuple=True)
+            return rows, columns, matrix[rows, columns]
         groups = None if groups is None else tuple(map(_offsets, groups))
         arrays = a.detach().numpy(), b.detach().numpy()
         found = node.base.verb.above(*arrays, float(threshold), groups=groups, kind=node.base.kinds)
@@ -156,6 +173,8 @@ class Verb:
     def count_above(self, a, b, threshold, *, kind=None):
         """How many pairs have a result above a threshold."""
         node, (a, b) = self._two("count_above", a, b, kind)
+        if a.is_cuda:
+            return int((self.all_pairs(a, b, kind=kind) > threshold).sum())
         arrays = a.detach().numpy(), b.detach().numpy()
         return node.base.verb.count_above(*arrays, float(threshold), kind=node.base.kinds)
 
@@ -166,6 +185,7 @@ class Verb:
         node = _nodes.of_verb(self.__name__, kind, 2)
         (shapes,) = _torch.tensors(self.__name__, (shapes,), casts=True)
         (scores,) = _torch.tensors(self.__name__, (scores,), casts=True)
+        _torch.lacks(f"{self.__name__}.suppress", shapes, shapes.is_cuda)
         kept = node.base.verb.suppress(
             shapes.detach().numpy(), scores.detach().numpy(), overlap, classes=_offsets(classes), score=score, most=most,
             groups=_offsets(groups), kind=node.base.kinds

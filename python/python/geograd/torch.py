@@ -9,7 +9,8 @@ order.
 Losses: ``Loss``, ``IoULoss``, ``GIoULoss``, ``DIoULoss``, ``CIoULoss``, ``EIoULoss``, ``ProbIoULoss``, ``KFIoULoss``,
 ``GWDLoss``, ``KLDLoss``.
 
-Tensors stay on the CPU: contiguous ones are lent to the library without a copy. Half precision is computed in float32 in
+Tensors on the CPU are lent to the library without a copy where they are contiguous. Those on CUDA stay there: NVRTC
+compiles the kernel that the library writes. Searches, paths and suppression need the CPU. Half precision is computed in float32 in
 losses, and in verbs under ``torch.autocast``.
 """
 
