@@ -10,9 +10,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{LazyLock, Mutex};
 
-/// Rows of the plane that the harness refuses at more than some hard cases: a gradient that is not the function's on
-/// purpose, and quadrilaterals with repeated corners along a shared edge, of which the adjoint shares the derivative
-/// otherwise.
+/// Rows of the plane that the harness refuses at more than some hard cases: gradients that are not the function's on
+/// purpose, and quadrilaterals, which `tests/harness/quads.rs` judges apart from those at the border of their domain.
 pub const REFUSED: [&str; 3] = [
     "ciou_fixed_weight_aabb2",
     "ciou_fixed_weight_obb2",

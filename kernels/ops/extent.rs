@@ -36,7 +36,7 @@ searches! {
     jumps Never
 
     /// The [width](crate::measure::extent::width_search) of a convex polygon of up to `N` vertices: the
-    /// least distance of two parallel lines around it. Its record is what they touch.
+    /// least distance of two parallel lines around it.
     Width<N> = "width_of_polygon": (polygon) as ConvexPolygon<S, N> => S, by Narrowest;
     decide |polygon| {
         let nothing = Narrowest { start: 0, end: 0, across: 0 };
@@ -58,7 +58,7 @@ searches! {
     jumps Anywhere
 
     /// The [smallest circle](crate::measure::circle::circle_search) around a convex polygon of up to `N`
-    /// vertices. Its record is what it goes through.
+    /// vertices.
     MinimumCircle<N> = "circle_around_polygon": (polygon) as ConvexPolygon<S, N> => Circle<S>, by Support;
     decide |polygon| {
         circle_search(polygon.as_slice()).map_or(Support::One(0), |found| found.1)

@@ -48,6 +48,7 @@ pub(crate) fn raised(error: Error) -> PyErr {
 #[pymodule(gil_used = false)]
 fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    m.add("WGSL", geograd::ad::program::WGSL)?;
     m.add_class::<shapes::Shape>()?;
     m.add_class::<shapes::Columns>()?;
     m.add_class::<shapes::Paths>()?;
@@ -87,6 +88,7 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_function(wrap_pyfunction!(overlay::polygon_union_all, m)?)?;
     m.add_function(wrap_pyfunction!(samples::samples, m)?)?;
     m.add_function(wrap_pyfunction!(samples::hard_samples, m)?)?;
+    m.add_function(wrap_pyfunction!(samples::valid, m)?)?;
     m.add_function(wrap_pyfunction!(shapes::set_classes, m)?)?;
     m.add_function(wrap_pyfunction!(symbol::where_, m)?)?;
     m.add_function(wrap_pyfunction!(symbol::elementary, m)?)?;

@@ -28,7 +28,8 @@ pub fn in_runs<R: Send>(
     let of = |k: usize| run(k * size..((k + 1) * size).min(count));
     let runs = count.div_ceil(size);
     let work = work.max(count);
-    on_threads(py, work, || match get_num_threads() == 1 || work <= FEW {
+    let alone = get_num_threads()? == 1 || work <= FEW;
+    on_threads(py, work, || match alone {
         true => (0..runs).map(of).collect(),
         false => (0..runs).into_par_iter().map(of).collect(),
     })

@@ -103,17 +103,10 @@ impl RequestedKinds {
 fn one_kind(kind: &Object<'_>) -> PyResult<Kind> {
     if let Ok(name) = kind.cast::<PyString>() {
         let name = name.to_cow()?;
-        return table().kind(&name).ok_or_else(|| {
-            let known: Vec<&str> = table()
-                .shapes
-                .iter()
-                .map(|shape| shape.name.as_str())
-                .collect();
-            PyValueError::new_err(format!(
-                "kind: no shape is called {name:?}; shapes are {}",
-                known.join(", ")
-            ))
-        });
+        return match table().kind(&name) {
+            Some(kind) => Ok(kind),
+            None => Err(unknown_shape(kind.py(), &name)?),
+        };
     }
     match kind.getattr("_kind") {
         Ok(kind) => kind.extract(),
@@ -121,6 +114,30 @@ fn one_kind(kind: &Object<'_>) -> PyResult<Kind> {
             "kind: the name of a shape, its class, or a tuple of such is needed",
         )),
     }
+}
+
+/// Returns the error for a name that no shape has: the names that are like it, or all.
+fn unknown_shape(py: Python<'_>, name: &str) -> PyResult<PyErr> {
+    let known: Vec<&str> = table()
+        .shapes
+        .iter()
+        .map(|shape| shape.name.as_str())
+        .collect();
+    let is_alike = |known: &&&str| known.eq_ignore_ascii_case(name);
+    let alike: Vec<String> = match known.iter().find(is_alike) {
+        Some(&known) => vec![known.to_owned()],
+        None => py
+            .import("difflib")?
+            .call_method1("get_close_matches", (name, &known))?
+            .extract()?,
+    };
+    let hint = match &alike[..] {
+        [] => format!("shapes are {}", known.join(", ")),
+        alike => format!("is it {}?", alike.join(" or ")),
+    };
+    Ok(PyValueError::new_err(format!(
+        "kind: no shape is called {name:?}; {hint}"
+    )))
 }
 
 /// How many arguments a form takes beside those of the row.
@@ -384,7 +401,7 @@ impl Verb {
                     .next()
                     .unwrap_or_else(|| py.None())
                     .into_bound(py),
-                _ => dressed_items(py, own, column.kind)?,
+                (axes, _) => dressed_items(py, own, column.kind, axes)?,
             });
         }
         let call = self.call(py, row, arguments, None, None)?;
@@ -446,10 +463,20 @@ fn flat<T: Number>(
         into.push(symbol);
         return Ok(());
     }
+    if let Ok(paths) = x.cast::<Paths>() {
+        // Constant vertices: those of one path.
+        let paths = paths.get();
+        return match paths.offsets.bind(x.py()).len() {
+            2 => flat(paths.vertices.bind(x.py()), into, depth + 1),
+            _ => Err(PyTypeError::new_err(
+                "a verb of symbols takes one path: write a loop over several, or the minimum of their results",
+            )),
+        };
+    }
     let is_list = x.cast::<PyList>().is_ok()
         || x.cast::<PyTuple>().is_ok()
         || x.cast::<PyUntypedArray>()
-            .is_ok_and(|array| array.ndim() == 1);
+            .is_ok_and(|array| array.ndim() > 0);
     if !is_list || depth > 4 {
         return Err(PyTypeError::new_err(format!(
             "a verb of symbols takes shapes of symbols, symbols and numbers, one item each, not {}",
@@ -569,10 +596,10 @@ impl Verb {
     }
     /// The operations of a form of a row, in a format.
     #[pyo3(signature = (*, kind, to=None, form="value", double=true))]
-    fn program<'py>(
+    fn program(
         &self,
-        kind: &Object<'py>,
-        to: Option<&Object<'py>>,
+        kind: &Object<'_>,
+        to: Option<&Object<'_>>,
         form: &str,
         double: bool,
     ) -> PyResult<Program> {
@@ -598,6 +625,18 @@ impl Verb {
             (Some(row), None) => Program::of(&row.call, form, double),
             _ => Err(self.refused(&[], "program", "kind= must name one row")),
         }
+    }
+    /// A module of JavaScript that exports a form of a row, by the verb's name if none is given.
+    #[pyo3(signature = (*, kind, to=None, form="value", name=None))]
+    fn javascript(
+        &self,
+        kind: &Object<'_>,
+        to: Option<&Object<'_>>,
+        form: &str,
+        name: Option<&str>,
+    ) -> PyResult<String> {
+        let program = self.program(kind, to, form, true)?;
+        program.javascript(name.unwrap_or(&self.of().name))
     }
 }
 

@@ -25,8 +25,10 @@ use crate::{Scalar, Vec2};
 fn positive<S: Scalar>(start: S, end: S) -> S {
     let zero = S::zero();
     let part = start.most(zero) + end.most(zero);
-    let all = start.magnitude() + end.magnitude();
-    part * part.over(all.most(S::lit(S::EMPTY)))
+    let (all, empty) = (start.magnitude() + end.magnitude(), S::lit(S::EMPTY));
+    // Of nothing the derivative is zero: divided by so little, that of a small shape would overflow.
+    let share = S::select(all.at_most(empty), zero, part);
+    part * share.over(all.most(empty))
 }
 
 /// Returns the area that a ring shares with a triangle, from oblique coordinates.
@@ -57,8 +59,10 @@ fn in_triangle<S: Scalar>(x: [S; 4], y: [S; 4], all: S) -> S {
         twice += (low[next] - low[k]) * (positive(start, end) - beyond);
         k += 1;
     }
-    // A triangle without an area has no strip, so that `twice` is zero.
-    twice.over(all.most(S::lit(S::EMPTY))).halved()
+    // A triangle without an area has no strip.
+    let empty = S::lit(S::EMPTY);
+    let twice = S::select(all.at_most(empty), zero, twice);
+    twice.over(all.most(empty)).halved()
 }
 
 // Functions, not closures: those do not inherit instruction sets.
@@ -362,9 +366,13 @@ impl<S: Scalar> QuadPair<S> {
 /// in squared units of length. Exactly zero, with derivative zero, where they are apart or merely touch; saturates at
 /// the largest finite number. Repeated and collinear vertices are fine.
 ///
-/// A quadrilateral that is not convex has a finite result without a meaning, and is an error in batches. Right to a few roundings of the smaller area if sizes are alike or one contains the other. Right to
-/// about R of them if one is R times longer and reaches across the other's border. Kinks: edges lying along each
-/// other, which share the derivative half and half.
+/// A quadrilateral that is not convex has a finite result without a meaning, and is an error in batches. Right to a few
+/// roundings of the smaller area if sizes are alike or one contains the other. Right to about R of them if one is R
+/// times longer and reaches across the other's border.
+///
+/// Kinks: edges lying along each other, which share the derivative half and half, and repeated corners. These are at the
+/// border of the convex quadrilaterals: the sum of their derivatives is that of one corner, which duals divide between
+/// them otherwise than the [derivative by hand](crate::ad::adjoint::overlap_quad).
 ///
 /// ```
 /// use geograd::{Aabb2, overlap_polygon::intersection_area_quads};

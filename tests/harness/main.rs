@@ -18,6 +18,7 @@ mod program;
 mod program_derivatives;
 mod program_random;
 mod proofs;
+mod quads;
 mod scatter;
 mod shrinking;
 mod strategy;
