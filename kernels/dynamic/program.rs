@@ -379,8 +379,15 @@ impl<T: Real> Program<T> {
             let is_letter = |c: char| c.is_ascii_alphanumeric();
             argument.to_string().replace(|c| !is_letter(c), "_")
         };
-        let names = self.inner.names.iter().map(identifier);
-        let arguments: Vec<_> = names.zip(self.inputs()).collect();
+        let mut arguments: Vec<(String, usize)> = Vec::new();
+        for (argument, width) in self.inner.names.iter().zip(self.inputs()) {
+            let mut name = identifier(argument);
+            // Derivatives of derivatives have factors of one name.
+            while arguments.iter().any(|(own, _)| *own == name) {
+                name.push('_');
+            }
+            arguments.push((name, width));
+        }
         let input = |i| self.input(i);
         let inner = &self.inner;
         let gives = &inner.recording.outputs;

@@ -132,7 +132,7 @@ def test_nothing_and_nan(on_kernels):
 
 
 def test_what_has_no_kernel_says_so():
-    node = _nodes.of_verb("minimum_circle", "ConvexPolygon5", 1)
+    node = _nodes.of_verb("minimum_circle", "ConvexPolygon6", 1)
     with pytest.raises(_cuda.Unavailable, match="no kernel for CUDA"):
         _cuda.source_of(node, torch.float64)
 
