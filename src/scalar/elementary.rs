@@ -158,7 +158,8 @@ pub(crate) fn ln_of_exponentials<S: Scalar>(a: S, b: S) -> S {
     let sum = shift + ln.with_primal(ln_1p(small));
     let is_finite = shift.finite();
     // One of them is infinite: the larger one is the result; and a sum passes NaN on.
-    let at_end = S::select(a.equals(b), a, S::select(a.below(b), b, a + (b - b)));
+    let larger = S::select(a.below(b), b, S::select(b.equals(b), a, b));
+    let at_end = S::select(a.equals(b), a, larger);
     S::select(is_finite, sum, at_end)
 }
 

@@ -18,7 +18,7 @@ const ALWAYS: &[&str] = &[
 ];
 
 /// A program, inputs of it, and their results.
-pub struct Case<T> {
+pub struct Case<T: Real> {
     pub name: String,
     pub program: Program<T>,
     pub inputs: Vec<Vec<T>>,
