@@ -211,9 +211,9 @@ fn prelude(language: Language, format: Format) -> &'static [Block] {
                 Language::C => include_str!("host.c"),
                 Language::Cuda => include_str!("device.cu"),
             };
-            let own = match format {
-                Format::F32 => include_str!("float.c"),
-                Format::F64 => include_str!("double.c"),
+            let [simple, parts] = match format {
+                Format::F32 => [include_str!("float.c"), include_str!("float_parts.c")],
+                Format::F64 => [include_str!("double.c"), include_str!("double_parts.c")],
             };
             let split = |text: &str| {
                 let blocks = text.trim_end().split("\n\n");
@@ -222,8 +222,9 @@ fn prelude(language: Language, format: Format) -> &'static [Block] {
             let texts = [
                 split(bits),
                 split(include_str!("wide.c")),
+                split(simple),
                 elementary(format),
-                split(own),
+                split(parts),
             ];
             let blocks = texts.into_iter().flatten();
             blocks.map(|text| Block::new(text, declared)).collect()
@@ -384,7 +385,7 @@ impl Dialect for C<'_> {
         }
     }
     fn literal(&self, x: f64) -> String {
-        if x.is_infinite() {
+        if !x.is_finite() {
             let bits = x.to_bits();
             return match self.format {
                 Format::F32 => format!("program_float_of_bits({:#x}u)", (x as f32).to_bits()),

@@ -103,10 +103,12 @@ def shapes(classes):
     ]
     for node in classes:
         doc = inspect.cleandoc(ast.get_docstring(node)).splitlines()
-        rows = [line.strip().split(": ", 1) for line in doc[1:] if line.strip()]
+        start = next(i for i, line in enumerate(doc) if line.startswith("An array whose last axis"))
+        rows = [line.strip().split(": ", 1) for line in doc[start + 1 :] if line.strip()]
         text += [
             f"## `{node.name}`",
             "",
+            *doc[:start],
             f"{len(rows)} numbers." if len(rows) > 1 else "One number.",
             "",
             "| place | name | meaning |",
