@@ -119,10 +119,19 @@ impl Number for f64 {
     }
 }
 
+/// Returns by how many rows those of a test lie apart: one where all are wanted.
+fn share(usual: usize) -> usize {
+    match std::env::var("GEOGRAD_ALL_ROWS") {
+        Ok(_) => 1,
+        Err(_) => usual,
+    }
+}
+
 #[test]
 fn every_straight_line_has_its_bits_in_c() {
     let mut folder = Folder::new("rows_of_c");
-    for row in straight() {
+    // Compilers take most of the time.
+    for row in straight().iter().step_by(share(3)) {
         for case in cases::<f64>(row) {
             folder.add_case(&case);
         }
@@ -325,7 +334,7 @@ type Kernel = (String, String, Vec<u8>, String, String);
 
 /// Returns the derivatives of rows as kernels, with each argument in an array of its own.
 fn dynamic_cases<T: Number>(rows: &[&'static geograd_tests::list::Tested]) -> Vec<Kernel> {
-    let each = rows.iter().step_by(4).map(|row| {
+    let each = rows.iter().step_by(share(8)).map(|row| {
         let [_, case] = cases::<T>(row);
         let name = format!("{}_{}", case.name, T::C);
         let program: &dynamic::Program<T> = &case.program;
