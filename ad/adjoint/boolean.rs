@@ -105,7 +105,7 @@ pub fn overlay_vjp<'a, S: Scalar>(
 
 /// Returns the cotangents of both inputs of [`valid_replay`](crate::boolean::valid_replay) from those of the vertices of
 /// the result, one part and one ring after the other. The input has one cotangent per vertex, one ring after the other.
-/// Those of a vertex are those of its origin, as in [`overlay_vjp`]; a point at a fixed fraction of an edge shares them
+/// A vertex passes its cotangent to its origin, as in [`overlay_vjp`]; a point at a fixed fraction of an edge shares them
 /// between its ends.
 ///
 /// # Panics

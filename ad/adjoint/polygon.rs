@@ -168,7 +168,7 @@ pub fn signed_distance_vjp<'a, S: Scalar<Mask = bool>>(
     let count = S::lit(nearest.len() as f64);
     let is_border = least.equals(S::zero());
     for &([from, to], [start, end]) in &nearest {
-        // Where several edges meet on the border there is no normal.
+        // There is no normal where several edges meet on the border.
         if is_border && nearest.len() > 1 {
             break;
         }

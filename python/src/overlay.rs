@@ -88,7 +88,7 @@ impl<T: Format> Item<T> {
     }
 }
 
-/// What a boolean operation of two columns decided: the origin of every vertex of the results.
+/// The decisions of a boolean operation of two columns: the origin of every vertex of the results.
 #[pyclass(frozen, module = "geograd._core")]
 pub struct Overlay {
     a: Py<Polygons>,

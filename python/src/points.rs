@@ -18,7 +18,7 @@ use std::sync::Arc;
 
 type Object<'py> = Bound<'py, PyAny>;
 
-/// What is computed of a set of points, and the record of the points that decide it.
+/// A measure of a set of points, and the record of the points that decide it.
 #[derive(Clone, Copy)]
 enum Around {
     Rectangle,

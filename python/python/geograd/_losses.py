@@ -91,7 +91,7 @@ class Loss(torch.nn.Module):
                 raise ValueError("avg_factor is for the reductions 'mean' and 'none': it divides the sum of a mean")
             if self.reduction == "none":
                 return loss
-            # Of no boxes the factor is 0, and so is the loss.
+            # The factor of no boxes is 0, and so is the loss.
             tensor = isinstance(avg_factor, torch.Tensor)
             return loss.sum() / (avg_factor.clamp(min=_LEAST) if tensor else max(avg_factor, _LEAST))
         if self.reduction == "none":
@@ -332,6 +332,6 @@ class KLDLoss(_Distance):
 for _made in (
     Loss, IoULoss, GIoULoss, DIoULoss, CIoULoss, EIoULoss, ProbIoULoss, KFIoULoss, _Distance, GWDLoss, KLDLoss
 ):
-    # Where users find them, and pickle does.
+    # The place at which users find them, and pickle does.
     if not _made.__name__.startswith("_"):
         _made.__module__ = "geograd.torch"

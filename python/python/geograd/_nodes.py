@@ -193,7 +193,7 @@ def _found(verb, kind, count, to):
     else:
         fits = [row for row in fits if all(k == "number" for k in row["kinds"])]
     given = lambda row: row["gives"][0][1] if row["gives"][0][2] else "number"
-    # Of several results `to` chooses; the name of a node has it then.
+    # `to` chooses among several results; the name of a node has it then.
     chosen = ""
     if len(fits) > 1 and to is not None:
         chosen = f">{_name(to)}"

@@ -267,7 +267,7 @@ def tensors(name, arguments, casts=False):
                 f"geograd.torch.{name} takes float32 and float64, not {dtype}: convert with .float(); "
                 "under torch.autocast this happens by itself"
             )
-    # Of whole numbers alone, and of half precision beside double, double.
+    # Double, for whole numbers alone and for half precision beside double.
     dtype = torch.float64 if torch.float64 in floats or not floats else torch.float32
     return [x.to(dtype) if isinstance(x, torch.Tensor) else torch.as_tensor(x, dtype=dtype, device=device) for x in arguments]
 
