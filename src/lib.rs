@@ -31,6 +31,7 @@
 //! | replace a call of another detection library | [`detection`] |
 //! | measure distances, closest points and penetration of shapes in space | [`distance3`] |
 //! | cast rays in space, cut segments | [`intersection3`] |
+//! | find when moving bodies meet, and how near they come | [`motion`] |
 //! | find the boxes that contain points | [`kernels::points`] |
 //! | score boxes that may be apart: GIoU, DIoU, CIoU and the like | [`iou`] |
 //! | suppress, assign and judge detections | [`suppression`], [`assignment`], [`metric`] |
@@ -129,6 +130,7 @@ pub mod iou;
 pub mod iou3;
 pub mod measure;
 pub mod metric;
+pub mod motion;
 pub mod overlap;
 pub mod overlap3;
 pub mod overlap_polygon;

@@ -1,0 +1,192 @@
+//! Bodies that move, and the bounds of their gaps over some time.
+use super::clearance::{self, Clearance3};
+use super::impact::{self, Impact3};
+use super::motion3::Motion3;
+use crate::distance3::Apart;
+use crate::distance3::farthest_distance;
+use crate::distance3::half_space::Bounded;
+use crate::distance3::relation::Relation;
+use crate::scalar::{Guard, most_of};
+use crate::shape::{
+    Capsule3, Cone, Cylinder, Obb3, Pose3, RoundBox3, Segment3, Sphere, Tetrahedron, Triangle3,
+};
+use crate::{Pack, Scalar, Vec3};
+
+/// A convex shape of space that a pose moves.
+pub(crate) trait Body3: Bounded {
+    /// Returns the shape moved.
+    fn moved(self, pose: Pose3<Self::Scalar>) -> Self;
+    /// Returns how far its farthest point is from the origin.
+    fn reach(self) -> Self::Scalar;
+}
+
+macro_rules! bodies {
+    ($($Shape:ident)*) => { $(
+        impl<S: Scalar> Body3 for $Shape<S> {
+            #[inline]
+            fn moved(self, pose: Pose3<S>) -> Self {
+                pose * self
+            }
+            #[inline]
+            fn reach(self) -> S {
+                farthest_distance(self, Vec3::zero())
+            }
+        }
+    )* };
+}
+bodies! { Vec3 Segment3 Triangle3 Tetrahedron Obb3 RoundBox3 Sphere Capsule3 Cylinder Cone }
+
+/// Two bodies of space that move: `a.time_of_impact(motion_a, b, motion_b)` and alike.
+///
+/// ```
+/// use geograd::motion::{Motion3, Moves as _};
+/// use geograd::{Sphere, Vec3};
+/// let (ball, other) = (Sphere::new(Vec3::new(0.0, 0.0, 0.0), 1.0), Sphere::new(Vec3::new(6.0, 0.0, 0.0), 1.0));
+/// let (right, left) = (Motion3::straight(Vec3::new(4.0, 0.0, 0.0)), Motion3::straight(Vec3::new(-4.0, 0.0, 0.0)));
+/// assert_eq!(ball.time_of_impact(right, other, left).time, 0.5);
+/// assert_eq!(ball.clearance(right, other, right).distance, 4.0);
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "no time of impact of `{Self}` and `{B}`",
+    note = "points, segments, triangles, tetrahedra, rotated boxes, round boxes, balls and capsules have one"
+)]
+pub trait Moves<B>: Copy {
+    /// Their numbers.
+    type Scalar: Scalar;
+    /// Returns the first time at which the bodies touch: [`time_of_impact`](super::time_of_impact).
+    #[must_use]
+    fn time_of_impact(
+        self,
+        motion: Motion3<Self::Scalar>,
+        other: B,
+        other_motion: Motion3<Self::Scalar>,
+    ) -> Impact3<Self::Scalar>;
+    /// Returns the least distance along both motions: [`clearance`](super::clearance()).
+    #[must_use]
+    fn clearance(
+        self,
+        motion: Motion3<Self::Scalar>,
+        other: B,
+        other_motion: Motion3<Self::Scalar>,
+    ) -> Clearance3<Self::Scalar>;
+}
+
+impl<S, A, B, PlainA, PlainB> Moves<B> for A
+where
+    S: Scalar<Mask = bool>,
+    A: Body3 + Pack<Scalar = S, With<S::Primal> = PlainA> + Apart<B, Scalar = S>,
+    B: Body3 + Pack<Scalar = S, With<S::Primal> = PlainB>,
+    PlainA: Body3<Scalar = S::Primal> + Apart<PlainB, Scalar = S::Primal>,
+    PlainB: Body3<Scalar = S::Primal>,
+{
+    type Scalar = S;
+    fn time_of_impact(self, motion: Motion3<S>, other: B, other_motion: Motion3<S>) -> Impact3<S> {
+        let guard = Guard::of(&self).and(&other).and(&motion).and(&other_motion);
+        let pair = MovingPair::new((self, motion), (other, other_motion));
+        guard.result(impact::replay(pair, impact::search(&pair.plain())))
+    }
+    fn clearance(self, motion: Motion3<S>, other: B, other_motion: Motion3<S>) -> Clearance3<S> {
+        let guard = Guard::of(&self).and(&other).and(&motion).and(&other_motion);
+        let pair = MovingPair::new((self, motion), (other, other_motion));
+        guard.result(clearance::replay(pair, clearance::search(&pair.plain())))
+    }
+}
+
+/// Two bodies, each relative to the centre of its turn, and their motions.
+#[derive(Clone, Copy)]
+pub(super) struct MovingPair<S, A, B> {
+    /// The first body and its motion.
+    a: (A, Motion3<S>),
+    /// The second body and its motion.
+    b: (B, Motion3<S>),
+}
+
+impl<S: Scalar, A: Body3<Scalar = S>, B: Body3<Scalar = S>> MovingPair<S, A, B> {
+    fn new((a, of_a): (A, Motion3<S>), (b, of_b): (B, Motion3<S>)) -> Self {
+        MovingPair {
+            a: (a.moved(of_a.to_center()), of_a),
+            b: (b.moved(of_b.to_center()), of_b),
+        }
+    }
+    fn plain<PlainA, PlainB>(&self) -> MovingPair<S::Primal, PlainA, PlainB>
+    where
+        A: Pack<With<S::Primal> = PlainA>,
+        B: Pack<With<S::Primal> = PlainB>,
+    {
+        MovingPair {
+            a: (plain(&self.a.0), plain(&self.a.1)),
+            b: (plain(&self.b.0), plain(&self.b.1)),
+        }
+    }
+    /// Returns the bodies at a time.
+    pub(super) fn at(&self, t: S) -> (A, B) {
+        let ((a, of_a), (b, of_b)) = (self.a, self.b);
+        (a.moved(of_a.from_center(t)), b.moved(of_b.from_center(t)))
+    }
+    /// Returns the relation of the bodies at a time.
+    pub(super) fn relation(&self, t: S) -> Relation<S>
+    where
+        A: Apart<B, Scalar = S>,
+    {
+        let (a, b) = self.at(t);
+        a.relation(b)
+    }
+    /// Returns the gap of the bodies along a direction of length one, at a time.
+    pub(super) fn gap(&self, t: S, normal: Vec3<S>) -> S {
+        let (a, b) = self.at(t);
+        b.lowest(normal).0 + a.lowest(-normal).0
+    }
+    /// Returns the change of the gap with time, given its direction and the nearest points.
+    pub(super) fn rate(&self, t: S, relation: &Relation<S>) -> S {
+        let of_a = self.a.1.velocity_at(t, relation.on_a);
+        let of_b = self.b.1.velocity_at(t, relation.on_b);
+        relation.normal.dot(of_b - of_a)
+    }
+    /// Returns the bounds of a gap's first and second derivatives by time.
+    pub(super) fn bounds(&self) -> Bounds<S> {
+        let [ra, rb] = [self.a.0.reach(), self.b.0.reach()];
+        let [wa, wb] = [self.a.1.turn.length(), self.b.1.turn.length()];
+        let relative = (self.b.1.velocity - self.a.1.velocity).length();
+        let far = |center: Vec3<S>, velocity: Vec3<S>, reach: S| {
+            largest_of(center).most(largest_of(center + velocity)) + reach
+        };
+        let (a, b) = (self.a.1, self.b.1);
+        Bounds {
+            speed: relative + (wa * ra + wb * rb),
+            bend: wa * wa * ra + wb * wb * rb,
+            size: far(a.center, a.velocity, ra).most(far(b.center, b.velocity, rb)),
+        }
+    }
+}
+
+/// Returns the largest magnitude of a coordinate.
+fn largest_of<S: Scalar>(v: Vec3<S>) -> S {
+    most_of([v.x.unsigned(), v.y.unsigned(), v.z.unsigned()])
+}
+
+/// Returns a shape without derivatives.
+fn plain<S: Scalar, P: Pack<Scalar = S>>(shape: &P) -> P::With<S::Primal> {
+    shape.remake(&mut |x| x.primal())
+}
+
+/// The bounds of a pair along its motions.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bounds<S> {
+    /// The largest change of a gap per unit of time.
+    pub(super) speed: S,
+    /// The largest second derivative of the gap of one point of each body by time.
+    pub(super) bend: S,
+    /// The largest magnitude of a coordinate.
+    pub(super) size: S,
+}
+
+impl<S: Scalar> Bounds<S> {
+    /// Returns the least gap over some time, given those at both ends.
+    pub(super) fn least(&self, start: S, end: S, time: S) -> S {
+        start.least(end) - self.bend * time * time * S::lit(0.125)
+    }
+    /// Returns the distance that is mostly rounding.
+    pub(super) fn rounding(&self) -> S {
+        self.size * S::lit(8.0 * S::EPSILON)
+    }
+}

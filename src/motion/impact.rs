@@ -1,0 +1,177 @@
+//! The first time at which two moving bodies touch.
+use super::body::{Body3, Bounds, Moves, MovingPair};
+use super::motion3::Motion3;
+use crate::distance3::Apart;
+use crate::{Scalar, Vec3};
+
+/// The first touch of two moving bodies of space.
+#[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
+#[repr(C)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Impact3<S> {
+    /// The time, from 0 to 1; the largest finite number for a miss.
+    #[shape(number)]
+    pub time: S,
+    /// The place of the touch, on the first body; zero for a miss.
+    pub point: Vec3<S>,
+    /// The direction, of length one, in which the second body is in the way of the first; zero for a miss.
+    #[shape(direction)]
+    pub normal: Vec3<S>,
+    /// 0 for a miss, 1 for an impact, 2 where the bodies touch or overlap at time 0. A constant.
+    #[shape(number)]
+    pub kind: S,
+}
+
+/// Returns the first time from 0 to 1 at which two moving bodies of space touch, and where.
+///
+/// The place of the bodies is that at time 0. The time is right to some roundings of the coordinates over the speed of
+/// the approach. Method, derivatives and kinks: see the [module](super).
+///
+/// ```
+/// use geograd::motion::{Motion3, time_of_impact};
+/// use geograd::{Obb3, Pack, Rotation3, Vec3, ad};
+/// let cube = |x| Obb3::new(Vec3::new(x, 0.0, 0.0), Vec3::new(2.0, 2.0, 2.0), Rotation3::identity());
+/// let (push, still) = (Motion3::straight(Vec3::new(4.0, 0.0, 0.0)), Motion3::still());
+/// let found = time_of_impact(cube(0.0), push, cube(4.0), still);
+/// assert_eq!((found.time, found.normal), (0.5, Vec3::new(1.0, 0.0, 0.0)));
+/// // The time is 2/v with v the speed of the push.
+/// let by_push = |push: Vec3<_>| {
+///     time_of_impact(cube(0.0).lift(), Motion3::straight(push), cube(4.0).lift(), Motion3::still()).time
+/// };
+/// let (time, by) = ad::gradient(by_push, push.velocity);
+/// assert_eq!((time, by.x), (0.5, -2.0 / 16.0));
+/// ```
+#[must_use]
+#[inline]
+pub fn time_of_impact<S: Scalar, A: Moves<B, Scalar = S>, B>(
+    a: A,
+    motion_a: Motion3<S>,
+    b: B,
+    motion_b: Motion3<S>,
+) -> Impact3<S> {
+    a.time_of_impact(motion_a, b, motion_b)
+}
+
+/// The share of a gap that a step leaves at least, so that the next direction comes in time.
+const LEFT: f64 = 0.125;
+/// The largest number of steps. Each divides the gap by at least two; an approach that grazes takes one step per
+/// halving of the time that is left, too.
+const STEPS: usize = 2_000;
+/// The largest number of gaps per step.
+const TRIALS: usize = 12;
+
+/// The moment of an impact as plain numbers.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Moment<P> {
+    /// The time.
+    time: P,
+    /// `true` if the bodies touch at time 0.
+    at_start: bool,
+}
+
+/// Returns the first time at which the distance is some roundings.
+pub(super) fn search<P, A, B>(pair: &MovingPair<P, A, B>) -> Option<Moment<P>>
+where
+    P: Scalar<Mask = bool>,
+    A: Body3<Scalar = P> + Apart<B, Scalar = P>,
+    B: Body3<Scalar = P>,
+{
+    let bounds = pair.bounds();
+    let enough = bounds.rounding();
+    let mut time = P::zero();
+    for _ in 0..STEPS {
+        let relation = pair.relation(time);
+        if relation.apart.at_most(enough) {
+            let at_start = time.at_most(P::zero());
+            return Some(Moment { time, at_start });
+        }
+        let gap = |after: P| pair.gap(time + after, relation.normal);
+        time += step(gap, relation.apart, P::one() - time, &bounds)?;
+    }
+    // The gap is a rounding as far as these numbers tell.
+    Some(Moment {
+        time,
+        at_start: false,
+    })
+}
+
+/// Returns a time over which the gap stays positive, or nothing if that is all the time that is left.
+fn step<P: Scalar<Mask = bool>>(
+    gap: impl Fn(P) -> P,
+    now: P,
+    rest: P,
+    bounds: &Bounds<P>,
+) -> Option<P> {
+    // The bound at a time, less the share that is to be left.
+    let left = now * P::lit(LEFT);
+    let above = |after: P| bounds.least(now, gap(after), after) - left;
+    let at_end = above(rest);
+    if at_end.above(P::zero()) {
+        return None;
+    }
+    // The gap cannot close sooner at the largest speed: half of the way to there is safe.
+    let safe = now.over(bounds.speed + bounds.speed).least(rest);
+    let (mut low, mut high) = ((safe, above(safe).most(P::zero())), (rest, at_end));
+    for trial in 0..TRIALS {
+        let width = high.0 - low.0;
+        // The secant of the bound, and in every third trial the geometric mean, since times span many orders.
+        let secant = low.0 + width * low.1.over(low.1 - high.1);
+        let middle = (low.0 * high.0).root();
+        let next = if trial % 3 == 2 { middle } else { secant };
+        let next = next.most(low.0).least(high.0);
+        let value = above(next);
+        if value.below(P::zero()) {
+            high = (next, value);
+        } else {
+            low = (next, value);
+            if value.at_most(left) {
+                break;
+            }
+        }
+    }
+    Some(low.0)
+}
+
+/// Returns an impact with derivatives, given its time as a number.
+pub(super) fn replay<S, A, B>(
+    pair: MovingPair<S, A, B>,
+    found: Option<Moment<S::Primal>>,
+) -> Impact3<S>
+where
+    S: Scalar<Mask = bool>,
+    A: Body3<Scalar = S> + Apart<B, Scalar = S>,
+    B: Body3<Scalar = S>,
+{
+    let Some(Moment { time, at_start }) = found else {
+        return Impact3 {
+            time: S::lit(S::LARGEST),
+            point: Vec3::zero(),
+            normal: Vec3::zero(),
+            kind: S::zero(),
+        };
+    };
+    let mut time = S::from_primal(time);
+    let mut relation = pair.relation(time);
+    if !at_start {
+        let rate = S::from_primal(pair.rate(time, &relation).primal());
+        let bounds = pair.bounds();
+        let grazes = S::from_primal(bounds.speed.primal()) * S::lit(GRAZING * S::EPSILON);
+        if (-rate).above(grazes) {
+            // Each step with a constant rate makes derivatives of one more order right.
+            for _ in 0..2 {
+                time -= relation.apart.over(rate);
+                relation = pair.relation(time);
+            }
+            time = time.most(S::zero()).least(S::one());
+        }
+    }
+    Impact3 {
+        time: time.canonical(),
+        point: relation.on_a.canonical(),
+        normal: relation.normal.canonical(),
+        kind: S::lit(if at_start { 2.0 } else { 1.0 }),
+    }
+}
+
+/// The share of the largest speed, in roundings, below which an approach grazes.
+const GRAZING: f64 = 64.0;
