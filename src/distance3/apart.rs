@@ -2,6 +2,7 @@
 use super::core::{Core3, PointCore};
 use super::cored::InflatedCore;
 use super::half_space::{self, Bounded};
+use super::manifold::Patch;
 use super::outcome::{Contact3, PointPair3};
 use super::relation::Relation;
 use super::{aside, between, boxes, round};
@@ -40,6 +41,15 @@ pub trait Apart<B>: Copy {
     #[inline]
     fn farthest(self, _other: B) -> Self::Scalar {
         Self::Scalar::lit(Self::Scalar::LARGEST)
+    }
+    /// Returns the faces of both that face each other along a direction from a to b. By default one point each.
+    #[doc(hidden)]
+    #[inline]
+    fn facing(&self, _other: &B, _normal: Vec3<Self::Scalar>) -> [Patch<Self::Scalar>; 2]
+    where
+        Self::Scalar: Scalar<Mask = bool>,
+    {
+        [Patch::Spot; 2]
     }
     /// Returns a guard of the numbers of both.
     #[doc(hidden)]
@@ -214,6 +224,16 @@ impl<A: InflatedCore, B: InflatedCore<Scalar = A::Scalar>> Apart<B> for A {
         }
     }
     #[inline]
+    fn facing(&self, other: &B, normal: Vec3<A::Scalar>) -> [Patch<A::Scalar>; 2]
+    where
+        A::Scalar: Scalar<Mask = bool>,
+    {
+        [
+            Patch::of(&self.core(), normal, self.radius()),
+            Patch::of(&other.core(), -normal, other.radius()),
+        ]
+    }
+    #[inline]
     fn farthest(self, other: B) -> A::Scalar {
         let longest = match (self.bounds(), other.bounds()) {
             (Some(a), Some(b)) => boxes::farthest_upright(a, b).saturated(),
@@ -258,6 +278,13 @@ impl<S: Scalar, B: Bounded<Scalar = S>> Apart<B> for Plane3<S> {
     fn relation(self, other: B) -> Relation<S> {
         half_space::relate(self, other)
     }
+    #[inline]
+    fn facing(&self, other: &B, normal: Vec3<S>) -> [Patch<S>; 2]
+    where
+        S: Scalar<Mask = bool>,
+    {
+        [Patch::Plane, other.face(-normal)]
+    }
 }
 
 impl<S: Scalar, A: Bounded<Scalar = S>> Apart<Plane3<S>> for A {
@@ -269,6 +296,13 @@ impl<S: Scalar, A: Bounded<Scalar = S>> Apart<Plane3<S>> for A {
     #[inline(always)]
     fn relation(self, other: Plane3<S>) -> Relation<S> {
         half_space::relate(other, self).flipped()
+    }
+    #[inline]
+    fn facing(&self, _: &Plane3<S>, normal: Vec3<S>) -> [Patch<S>; 2]
+    where
+        S: Scalar<Mask = bool>,
+    {
+        [self.face(normal), Patch::Plane]
     }
 }
 

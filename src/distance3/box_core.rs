@@ -254,6 +254,18 @@ impl<S: Scalar> Core3<S> for BoxCore<S> {
         }
         (normal.dot(self.given) + found.0, self.given + found.1)
     }
+    fn facing(&self, toward: Vec3<S>) -> ([usize; 4], usize)
+    where
+        S: Scalar<Mask = bool>,
+    {
+        let slopes = self.axes.each_as(|axis| axis.dot(toward));
+        let steeper = |k: usize, i: usize| slopes[i].unsigned().above(slopes[k].unsigned());
+        let first = if steeper(0, 1) { 1 } else { 0 };
+        let k = if steeper(first, 2) { 2 } else { first };
+        let side = usize::from(slopes[k].above(S::zero())) << k;
+        let [i, j] = [1 << ((k + 1) % 3), 1 << ((k + 2) % 3)];
+        ([side, side | i, side | i | j, side | j], 4)
+    }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn parting<B: Core3<S>>(&self, face: usize, other: &B) -> PartingPlane<S> {
         box_faces(self, face, other)

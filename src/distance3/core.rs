@@ -98,6 +98,14 @@ pub(crate) trait Core3<S: Scalar>: Copy {
     fn straight(&self) -> Option<Straight<S>> {
         None
     }
+    /// Returns the corners of the face that faces a direction most, in order, and their number: all of a core without a
+    /// volume.
+    fn facing(&self, _toward: Vec3<S>) -> ([usize; 4], usize)
+    where
+        S: Scalar<Mask = bool>,
+    {
+        ([0, 1, 2, 3], Self::DIMENSION + 1)
+    }
     /// Returns the plane along a face that separates the core from another one.
     fn parting<B: Core3<S>>(&self, face: usize, other: &B) -> PartingPlane<S>;
 }

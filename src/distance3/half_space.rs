@@ -1,6 +1,7 @@
 //! Half-spaces against all that ends: the point of a shape that is farthest behind the plane.
 use super::core::Core3;
 use super::cored::InflatedCore;
+use super::manifold::Patch;
 use super::near::Low;
 use super::relation::{Relation, direction, square_of_gap};
 use super::round::Revolved;
@@ -16,6 +17,14 @@ pub(crate) trait Bounded: Copy + Pack<Scalar: Scalar> {
     /// Returns the least of `normal · point`, given a normal of length one, and a point of the shape there. Points that
     /// tie share the derivative, and the point is their mean.
     fn lowest(self, normal: Vec3<Self::Scalar>) -> (Self::Scalar, Vec3<Self::Scalar>);
+    /// Returns its face that faces a direction of length one. By default its nearest point.
+    #[inline]
+    fn face(self, _toward: Vec3<Self::Scalar>) -> Patch<Self::Scalar>
+    where
+        Self::Scalar: Scalar<Mask = bool>,
+    {
+        Patch::Spot
+    }
 }
 
 impl<A: InflatedCore> Bounded for A {
@@ -27,6 +36,13 @@ impl<A: InflatedCore> Bounded for A {
             true => (height - radius, corner - normal * radius),
             false => (height, corner),
         }
+    }
+    #[inline]
+    fn face(self, toward: Vec3<A::Scalar>) -> Patch<A::Scalar>
+    where
+        A::Scalar: Scalar<Mask = bool>,
+    {
+        Patch::of(&self.core(), toward, self.radius())
     }
 }
 

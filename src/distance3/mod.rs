@@ -26,6 +26,7 @@
 //! | [`signed_distance`] | the same, and minus the depth of overlap |
 //! | [`closest_points`] | where: a point of each |
 //! | [`penetration`] | how far to shift one of them until they only touch, and in which direction |
+//! | [`contacts`] | where they lie on each other: up to eight pairs of points |
 //! | [`farthest_distance`] | the longest way |
 //!
 //! # Shapes and verbs
@@ -91,6 +92,7 @@ mod endless;
 pub(crate) mod formula;
 pub(crate) mod half_space;
 mod inherent;
+mod manifold;
 pub(crate) mod near;
 mod outcome;
 mod pair;
@@ -106,4 +108,5 @@ pub use apart::{
     Apart, closest_points, distance, farthest_distance, penetration, signed_distance,
     squared_distance,
 };
+pub use manifold::{ContactPoint3, Contacts3, contacts};
 pub use outcome::{Contact3, PointPair3};

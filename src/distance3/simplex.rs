@@ -220,6 +220,31 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core3<S>
         let Low(height, arm) = Best::least(arms).mean();
         (normal.dot(from) + height, from + arm)
     }
+    fn facing(&self, toward: Vec3<S>) -> ([usize; 4], usize)
+    where
+        S: Scalar<Mask = bool>,
+    {
+        if C < 4 {
+            return ([0, 1, 2, 3], C);
+        }
+        let facing = |k: usize| {
+            let [a, b, c] = self.face(k);
+            let normal = (b - a).cross(c - a).normalize_or_zero();
+            let behind = normal.dot(self.0[FACES[k][3]] - a);
+            let slope = normal.dot(toward);
+            match behind.above(S::zero()) {
+                true => -slope,
+                false => slope,
+            }
+        };
+        let mut best = 0;
+        for k in 1..F {
+            if facing(k).above(facing(best)) {
+                best = k;
+            }
+        }
+        (FACES[best], 3)
+    }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn parting<B: Core3<S>>(&self, face: usize, other: &B) -> PartingPlane<S> {
         let behind = (C == 4).then(|| self.0[FACES[face][3]]);

@@ -9,6 +9,7 @@ mod exact;
 mod far_bounds;
 mod grazing;
 mod inertia;
+mod manifolds;
 mod motion;
 pub mod oracle;
 mod parallels;
