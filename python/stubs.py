@@ -3,6 +3,7 @@
 
 import keyword
 import pathlib
+import re
 import sys
 
 import geograd
@@ -375,6 +376,11 @@ def polygons(verb):
     if verb in _polygons.VERBS:
         takes, gives = _polygons.VERBS[verb]
         yield takes.replace("point: Vec2", "point: Union[Vec2, Array]"), "Array" if gives == "number" else gives
+        for takes, _ in _polygons.FURTHER.get(verb, []):
+            # One of several shapes, in either place.
+            takes = re.sub(r": (\w+(?:, \w+)* or \w+)", lambda own: f": Union[{own[1].replace(' or ', ', ')}]", takes)
+            pair = re.findall(r"\w+: (?:Union\[.*?\]|\w+)", takes)
+            yield from ((", ".join(own), "Array") for own in ([pair, pair[::-1]] if "Union" in takes else [pair]))
     if verb in _points.VERBS:
         yield "points: Union[Paths, Polygons]", _points.VERBS[verb] or "Array"
 

@@ -38,7 +38,7 @@ def parts_of(item, place):
     return [[_ring(ring, place) for ring in part] for part in nested]
 
 
-def of_corners(cls, shape):
+def corners_of(cls, shape):
     """Polygons of the corners of shapes."""
     import geograd
 

@@ -70,7 +70,8 @@ def describe(verb):
             lines.append(f"        {row['summary']}")
     if verb in _polygons.VERBS:
         takes, gives = _polygons.VERBS[verb]
-        lines += [f"    {verb}({takes}) -> {gives}", f"        {_polygons.SUMMARIES[verb]}"]
+        for takes, summary in [(takes, _polygons.SUMMARIES[verb]), *_polygons.FURTHER.get(verb, [])]:
+            lines += [f"    {verb}({takes}) -> {gives}", f"        {summary}"]
     if verb in _points.VERBS:
         lines += [f"    {verb}(points: Paths or Polygons) -> {_points.VERBS[verb] or 'number'}", f"        {_points.SUMMARIES[verb]}"]
     return "\n".join(lines)
