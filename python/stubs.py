@@ -426,22 +426,28 @@ VECTOR = '''    def __add__(self, other: {name}) -> {name}: ...
     def length(self) -> Any: ...'''
 
 ON_TENSORS = '''# Written by stubs.py, from the table of the library.
-from typing import Any, Generic, Optional, Sequence, Type, TypeVar, Union
+from typing import Any, Generic, Optional, Sequence, Type, TypeVar, Union, overload
 
 import torch
 
-from geograd import Shape
+from geograd import Paths as _Paths, Polygons as _Polygons, Shape
+from geograd._torch_polygons import Column
 
 Kind = Union[str, Type[Shape], None, Sequence[Union[str, Type[Shape], None]]]
 Argument = Union[torch.Tensor, float]
 Offsets = Union[torch.Tensor, Sequence[int], Any]
+_Column = Union[Column, _Polygons, _Paths]
 _Result = TypeVar("_Result", covariant=True)
 
 class Verb(Generic[_Result]):
     """A verb on tensors, with derivatives of any order."""
     __name__: str
     def __init__(self, name: str) -> None: ...
+    @overload
     def __call__(self, *arguments: Argument, kind: Kind = ..., to: Kind = ...) -> _Result: ...
+    @overload
+    def __call__(self, *arguments: Union[Argument, _Column], kind: Kind = ...) -> torch.Tensor:
+        """The verb of polygons, rings or other paths, one of which an argument is at least."""
     def all_pairs(self, a: torch.Tensor, b: torch.Tensor, *, kind: Kind = ...) -> torch.Tensor: ...
     def sum(self, a: torch.Tensor, b: torch.Tensor, *, kind: Kind = ...) -> torch.Tensor: ...
     def mean(self, a: torch.Tensor, b: torch.Tensor, *, kind: Kind = ...) -> torch.Tensor: ...
@@ -463,24 +469,102 @@ class Verb(Generic[_Result]):
 '''
 
 ON_ARRAYS = '''# Written by stubs.py, from the table of the library.
-from typing import Any, Generic, Sequence, Type, TypeVar, Union
+from typing import Any, Generic, Sequence, Type, TypeVar, Union, overload
 
 import jax
 from jax.typing import ArrayLike
 
-from geograd import Shape
+from geograd import Paths as _Paths, Polygons as _Polygons, Shape
+from geograd._jax_columns import Column
 
 Kind = Union[str, Type[Shape], None, Sequence[Union[str, Type[Shape], None]]]
+_Column = Union[Column, _Polygons, _Paths]
 _Result = TypeVar("_Result", covariant=True)
 
 class Verb(Generic[_Result]):
     """A verb on JAX's arrays, with derivatives of any order."""
     __name__: str
     def __init__(self, name: str) -> None: ...
+    @overload
     def __call__(self, *arguments: ArrayLike, kind: Kind = ..., to: Kind = ...) -> _Result: ...
+    @overload
+    def __call__(self, *arguments: Union[ArrayLike, _Column], kind: Kind = ...) -> jax.Array:
+        """The verb of polygons, rings or other paths, one of which an argument is at least."""
     def all_pairs(self, a: ArrayLike, b: ArrayLike, *, kind: Kind = ...) -> jax.Array: ...
 
 '''
+
+
+COLUMNS = '''# Written by stubs.py, from the table of the library.
+from typing import Any, Literal, Sequence, TypeVar, Union
+
+{imports}
+from numpy.typing import ArrayLike, NDArray
+
+import geograd
+
+Fill = Literal["even_odd", "nonzero"]
+_Self = TypeVar("_Self", bound="Column")
+
+class Column:
+    """Columns whose vertices are {of}, with derivatives by these."""
+    @property
+    def vertices(self) -> {array}: ...
+    @property
+    def offsets(self) -> Any: ...
+{detach}    def __len__(self) -> int: ...
+
+class Polygons(Column):
+    """A column of polygons, each of parts with holes."""
+    def __init__(self, vertices: {given}, offsets: Union[geograd.Polygons, Sequence[ArrayLike]]) -> None: ...
+    @classmethod
+    def of(cls, {items}: Any, {options}) -> Polygons:
+        """Polygons of lists, of geometries, of rings or of boxes."""
+    @classmethod
+    def rings(cls, vertices: {given}) -> Polygons:
+        """Polygons of one ring of V vertices each, of shape (N, V, 2)."""
+
+class Paths(Column):
+    """Paths: vertices one after another, and where each path starts."""
+    def __init__(self, vertices: {given}, offsets: Union[geograd.Paths, ArrayLike]) -> None: ...
+    @classmethod
+    def of(cls: type[_Self], {paths}: Any, {options}) -> _Self:
+        """Paths of lists of vertices, or of geometries."""
+
+class Rings(Paths):
+    """Closed paths: the last vertex of each is joined with its first one."""
+
+class Polylines(Paths):
+    """Open paths, of the plane or of space."""
+
+class Clouds(Paths):
+    """Clouds of points of space, in any order."""
+
+def contains(polygons: Any, points: Any, *, fill: Fill = ...) -> {array}:
+    """Whether polygons contain points, item by item, decided exactly; the border belongs to a polygon."""
+def union_area(a: Any, b: Any) -> {array}:
+    """The area that two polygons cover together, item by item."""
+{further}'''
+
+ON_TENSORS_TOO = {
+    "imports": "import torch", "of": "tensors", "array": "torch.Tensor", "given": "torch.Tensor", "items": "polygons", "paths": "paths",
+    "detach": "    def detach(self) -> Any:\n        \"\"\"The column without derivatives, of arrays.\"\"\"\n",
+    "options": "dtype: torch.dtype = ..., requires_grad: bool = ...",
+}
+ON_ARRAYS_TOO = {
+    "imports": "import jax", "of": "JAX's arrays", "array": "jax.Array", "given": "Union[jax.Array, NDArray[Any]]", "items": "items",
+    "paths": "items", "detach": "", "options": "dtype: Any = ...", "further": "",
+}
+OVERLAY = '''
+class _Overlay:
+    __name__: str
+    def __call__(self, a: Any, b: Any, *, fill: Fill = ..., valid: bool = ...) -> Polygons: ...
+'''
+
+
+def overlays():
+    """The boolean operations, whose results are columns."""
+    return OVERLAY + "\n" + "".join(f"{name}: _Overlay\n" for name in sorted(_polygons.OVERLAYS))
 
 
 def verbs_on(head, result):
@@ -497,6 +581,8 @@ def all_stubs():
         "__init__.pyi": stubs(),
         "_torch_verbs.pyi": verbs_on(ON_TENSORS, "torch.Tensor"),
         "_jax_verbs.pyi": verbs_on(ON_ARRAYS, "jax.Array"),
+        "_torch_polygons.pyi": COLUMNS.format(**ON_TENSORS_TOO, further=overlays()),
+        "_jax_columns.pyi": COLUMNS.format(**ON_ARRAYS_TOO),
     }
 
 

@@ -39,7 +39,6 @@ def test_there_are_notebooks_and_one_runs_everywhere():
 
 @pytest.mark.parametrize("name", chosen())
 def test_a_notebook_runs(name):
-    # The first line of a cell's own magic would not be Python.
     own = {**os.environ, "MPLBACKEND": "Agg", "MATPLOTLIBRC": str(FOLDER / "matplotlibrc")}
     done = subprocess.run([sys.executable, f"{name}.py"], cwd=FOLDER, env=own, capture_output=True, text=True, timeout=900)
     assert done.returncode == 0, done.stderr[-2000:]

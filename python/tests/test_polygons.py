@@ -268,7 +268,7 @@ def test_hostile_pairs(name):
         made = getattr(geograd, name)(a, b, valid=valid)
         close(geograd.area(made), expected)
         assert shapely.is_valid(made.to_shapely()).all() or not valid
-        # What a result is, an input may be.
+        # Results may be inputs.
         again = getattr(geograd, name)(made, b, valid=valid)
         shape = shapely.make_valid(made.to_shapely())
         close(geograd.area(again), shapely.area(getattr(shapely, name)(shape, b)))

@@ -12,7 +12,7 @@ from geograd import _columns, _core, _formulas, _polygons
 from geograd._jax import Kind
 
 
-class _Column:
+class Column:
     """Columns of arrays: their layout is a constant of a compiled function, their vertices are a leaf of a tree."""
 
     def __init__(self, vertices, offsets):
@@ -63,7 +63,7 @@ class _Column:
 
 
 @jax.tree_util.register_pytree_node_class
-class Polygons(_Column):
+class Polygons(Column):
     """A column of polygons whose vertices are an array, of shape (V, 2): :class:`geograd.Polygons` in JAX.
 
     ``offsets`` are those of :class:`geograd.Polygons`, or such a column, of which the rings, parts and polygons are taken. A
@@ -89,7 +89,7 @@ class Polygons(_Column):
         return cls(vertices.reshape(-1, 2), (np.arange(count + 1) * size,))
 
 
-class Paths(_Column):
+class Paths(Column):
     """Paths whose vertices are an array, of shape (V, 2) or, for those of space, (V, 3), and where each path starts."""
 
     _column = geograd.Paths
@@ -117,7 +117,7 @@ class Clouds(Paths):
 
 
 #: Columns, of JAX's arrays and of NumPy's.
-ANY = (_Column, _core.Polygons, _core.Paths)
+ANY = (Column, _core.Polygons, _core.Paths)
 
 
 class _Space:
@@ -269,7 +269,7 @@ def _given(verb, x, dtype, kind):
     """The layout and the array of an argument."""
     if isinstance(x, (_core.Polygons, _core.Paths)):
         return _columns.Layout.of(x), jnp.asarray(x.vertices, dtype)
-    if isinstance(x, _Column):
+    if isinstance(x, Column):
         return x.layout, x.vertices.astype(dtype)
     x = jnp.asarray(x).astype(dtype)
     if x.ndim not in (1, 2):
@@ -287,7 +287,7 @@ def run(verb, arguments, kind=None):
         raise TypeError(f"geograd.jax.{verb} of a column takes {wanted} arguments, not {len(arguments)}")
     if not is_of_paths and verb in _polygons.OVERLAPS:
         arguments = [x if isinstance(x, Polygons) else geograd.Polygons.of(x) for x in arguments]
-    own = [x.vertices if isinstance(x, _Column) else x for x in arguments if not isinstance(x, (_core.Polygons, _core.Paths))]
+    own = [x.vertices if isinstance(x, Column) else x for x in arguments if not isinstance(x, (_core.Polygons, _core.Paths))]
     dtype = jnp.result_type(*own, jnp.float32) if own else jnp.result_type(float)
     layouts, xs = zip(*[_given(verb, x, dtype, kind) for x in arguments])
     return _VALUE.bind(*xs, of=_columns.Operation(verb, layouts))[0]
@@ -300,7 +300,7 @@ def union_area(a, b):
 
 def contains(polygons, points, *, fill="even_odd"):
     """Whether polygons contain points, item by item, decided exactly: see :func:`geograd.contains`."""
-    polygons = polygons if isinstance(polygons, _Column) else Polygons.of(polygons)
+    polygons = polygons if isinstance(polygons, Column) else Polygons.of(polygons)
     layout, points = polygons.layout, jnp.asarray(points, polygons.vertices.dtype)
     points = points.reshape(-1, 2) if points.ndim == 1 else points
     count = len(points) if layout.count == 1 else layout.count

@@ -21,7 +21,7 @@ def _checked(cls, vertices):
     return vertices.detach().contiguous().numpy()
 
 
-class _Of:
+class Column:
     """What columns of tensors have in common: a column of arrays beside the tensor."""
 
     @property
@@ -45,7 +45,7 @@ class _Of:
         return f"<geograd.torch.{repr(self.column)[1:]}"
 
 
-class Polygons(_Of):
+class Polygons(Column):
     """A column of polygons whose vertices are a tensor, of shape (V, 2): :class:`geograd.Polygons` in torch.
 
     ``offsets`` are those of :class:`geograd.Polygons`, or such a column, of which the rings, parts and polygons are taken.
@@ -81,7 +81,7 @@ class Polygons(_Of):
         return cls(vertices.reshape(-1, 2), (np.arange(count + 1) * size,))
 
 
-class Paths(_Of):
+class Paths(Column):
     """Paths whose vertices are a tensor, of shape (V, 2) or, for those of space, (V, 3): :class:`geograd.Paths` in torch.
 
     ``offsets`` say where each path starts among the vertices; the last one is the number of vertices, or they are a column of
@@ -170,7 +170,7 @@ class _Space:
         return values.new_zeros(count, *values.shape[1:]).index_add(0, torch.as_tensor(places), values)
 
 
-class _Column(torch.autograd.Function):
+class _Called(torch.autograd.Function):
     """A verb of columns and rows."""
 
     @staticmethod
@@ -250,7 +250,7 @@ def run(verb, arguments, kind=None):
     found = {x.dtype for x in own if isinstance(x, torch.Tensor)}
     dtype = torch.float32 if found == {torch.float32} else torch.float64
     layouts, xs = zip(*[_given(verb, x, dtype, kind) for x in arguments])
-    return _Column.apply(_columns.Operation(verb, layouts), *xs)
+    return _Called.apply(_columns.Operation(verb, layouts), *xs)
 
 
 def _given(verb, x, dtype, kind):
@@ -285,6 +285,7 @@ class Overlay:
 
 
 OVERLAYS = {name: Overlay(name) for name in _polygons.OVERLAYS}
+globals().update(OVERLAYS)
 
 
 def union_area(a, b):

@@ -22,20 +22,21 @@ import numpy as np
 import torch
 
 import geograd
-from geograd import _nodes, _torch, _torch_polygons
+from geograd import _nodes, _torch
 from geograd._function import Function, reduced
 from geograd._losses import (
     CIoULoss, DIoULoss, EIoULoss, GIoULoss, GWDLoss, IoULoss, KFIoULoss, KLDLoss, Loss, ProbIoULoss,
 )
-from geograd._torch_polygons import Clouds, Paths, Polygons, Polylines, Rings, contains, union_area
+from geograd._torch_polygons import (
+    Clouds, Paths, Polygons, Polylines, Rings, contains, difference, intersection, symmetric_difference, union, union_area,
+)
 from geograd._torch_verbs import *  # noqa: F403
 from geograd._torch_verbs import __all__ as _VERBS, Verb
 
-globals().update(_torch_polygons.OVERLAYS)
-
 __all__ = [
     "check", "function", "Loss", "IoULoss", "GIoULoss", "DIoULoss", "CIoULoss", "EIoULoss", "ProbIoULoss", "KFIoULoss",
-    "GWDLoss", "KLDLoss", "Clouds", "Paths", "Polygons", "Polylines", "Rings", "Verb", "contains", "union_area", *_torch_polygons.OVERLAYS, *_VERBS,
+    "GWDLoss", "KLDLoss", "Clouds", "Paths", "Polygons", "Polylines", "Rings", "Verb", "contains", "difference", "intersection",
+    "symmetric_difference", "union", "union_area", *_VERBS,
 ]
 
 
