@@ -124,4 +124,12 @@ def test_refusals():
         geograd.signed_distance(p, p)
     with pytest.raises(ValueError, match="`b` has 2 rows where 3 are needed"):
         geograd.distance(p, p[:2])
+    for build, numbers, match in [
+        (geograd.Segment2, [[0, 0, 1, 1], [3, np.nan, 1, 1.0]], "item 1"),
+        (geograd.Circle, [[0, 0, 1], [0, 0, -1.0]], "item 1"),
+        (geograd.Obb2, [[0, 0, 1, 1, 0], [0, 0, np.inf, 1, 0]], "item 1"),
+        (geograd.Triangle2, [[0, 0, 1, 1, 0, 2], [0, 0, np.nan, 1, 0, 0]], "1"),
+    ]:
+        with pytest.raises(ValueError, match=match):
+            geograd.distance(build(np.array(numbers)), p[:2])
     assert "distance(a: Polygons, b: Polygons) -> number" in geograd.distance.__doc__

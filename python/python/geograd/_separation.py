@@ -45,6 +45,9 @@ class Outline:
     def of_shape(cls, shape):
         kind, array = type(shape).__name__, np.asarray(shape.array)
         rows = array.reshape(-1, array.shape[-1])
+        if not np.all(_core.valid(kind, np.ascontiguousarray(rows, np.float64))):
+            # The library says which item and which number of it is wrong.
+            _refused(shape, kind, rows)
         radius = rows[:, RADII[kind]] if kind in RADII else None
         if kind in ("Obb2", "Aabb2", "Triangle2", "Vec2x4"):
             return cls.of_polygons(_convert_polygons.corners_of(_polygons(), shape))
@@ -68,6 +71,15 @@ class Outline:
             low[full] = np.minimum.reduceat(self.vertices, self.ends[:-1][full])
             high[full] = np.maximum.reduceat(self.vertices, self.ends[:-1][full])
         return low, high
+
+
+def _refused(shape, kind, rows):
+    """Raises the error of a shape that is none."""
+    import geograd
+
+    geograd.distance(geograd.Vec2(np.zeros(2, rows.dtype)), shape)
+    place = int(np.flatnonzero(~np.asarray(_core.valid(kind, np.ascontiguousarray(rows, np.float64))))[0])
+    raise ValueError(f"item {place} is no {kind}: {rows[place].tolist()}")
 
 
 def _polygons():
