@@ -426,7 +426,7 @@ VECTOR = '''    def __add__(self, other: {name}) -> {name}: ...
     def length(self) -> Any: ...'''
 
 ON_TENSORS = '''# Written by stubs.py, from the table of the library.
-from typing import Any, Generic, Optional, Sequence, Type, TypeVar, Union, overload
+from typing import Any, Generic, Optional, Sequence, Type, TypeVar, Union
 
 import torch
 
@@ -443,11 +443,7 @@ class Verb(Generic[_Result]):
     """A verb on tensors, with derivatives of any order."""
     __name__: str
     def __init__(self, name: str) -> None: ...
-    @overload
-    def __call__(self, *arguments: Argument, kind: Kind = ..., to: Kind = ...) -> _Result: ...
-    @overload
-    def __call__(self, *arguments: Union[Argument, _Column], kind: Kind = ...) -> torch.Tensor:
-        """The verb of polygons, rings or other paths, one of which an argument is at least."""
+    def __call__(self, *arguments: Union[Argument, _Column], kind: Kind = ..., to: Kind = ...) -> _Result: ...
     def all_pairs(self, a: torch.Tensor, b: torch.Tensor, *, kind: Kind = ...) -> torch.Tensor: ...
     def sum(self, a: torch.Tensor, b: torch.Tensor, *, kind: Kind = ...) -> torch.Tensor: ...
     def mean(self, a: torch.Tensor, b: torch.Tensor, *, kind: Kind = ...) -> torch.Tensor: ...
@@ -469,7 +465,7 @@ class Verb(Generic[_Result]):
 '''
 
 ON_ARRAYS = '''# Written by stubs.py, from the table of the library.
-from typing import Any, Generic, Sequence, Type, TypeVar, Union, overload
+from typing import Any, Generic, Sequence, Type, TypeVar, Union
 
 import jax
 from jax.typing import ArrayLike
@@ -485,11 +481,7 @@ class Verb(Generic[_Result]):
     """A verb on JAX's arrays, with derivatives of any order."""
     __name__: str
     def __init__(self, name: str) -> None: ...
-    @overload
-    def __call__(self, *arguments: ArrayLike, kind: Kind = ..., to: Kind = ...) -> _Result: ...
-    @overload
-    def __call__(self, *arguments: Union[ArrayLike, _Column], kind: Kind = ...) -> jax.Array:
-        """The verb of polygons, rings or other paths, one of which an argument is at least."""
+    def __call__(self, *arguments: Union[ArrayLike, _Column], kind: Kind = ..., to: Kind = ...) -> _Result: ...
     def all_pairs(self, a: ArrayLike, b: ArrayLike, *, kind: Kind = ...) -> jax.Array: ...
 
 '''

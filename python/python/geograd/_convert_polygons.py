@@ -24,7 +24,7 @@ def _ring(ring, place):
     if own.ndim != 2 or own.shape[1] != 2:
         raise ValueError(f"{place}: vertices of shape (V, 2) are needed, not {own.shape}")
     if own.dtype.kind not in "fiu":
-        wrong = next((k for k, vertex in enumerate(own.tolist()) if not all(isinstance(x, (int, float)) for x in vertex)), 0)
+        wrong = next((k for k, vertex in enumerate(ring) if np.asarray(list(vertex)).dtype.kind not in "fiu"), 0)
         raise ValueError(f"{place}: vertex {wrong} is {ring[wrong]!r}, and two numbers are needed")
     is_closed = len(own) > 3 and (own[0] == own[-1]).all()
     return own[:-1] if is_closed else own

@@ -1,5 +1,5 @@
 # Written by stubs.py, from the table of the library.
-from typing import Any, Generic, Sequence, Type, TypeVar, Union, overload
+from typing import Any, Generic, Sequence, Type, TypeVar, Union
 
 import jax
 from jax.typing import ArrayLike
@@ -15,11 +15,7 @@ class Verb(Generic[_Result]):
     """A verb on JAX's arrays, with derivatives of any order."""
     __name__: str
     def __init__(self, name: str) -> None: ...
-    @overload
-    def __call__(self, *arguments: ArrayLike, kind: Kind = ..., to: Kind = ...) -> _Result: ...
-    @overload
-    def __call__(self, *arguments: Union[ArrayLike, _Column], kind: Kind = ...) -> jax.Array:
-        """The verb of polygons, rings or other paths, one of which an argument is at least."""
+    def __call__(self, *arguments: Union[ArrayLike, _Column], kind: Kind = ..., to: Kind = ...) -> _Result: ...
     def all_pairs(self, a: ArrayLike, b: ArrayLike, *, kind: Kind = ...) -> jax.Array: ...
 
 __all__ = ["adjoint", "adjoint_transposed", "alpha_iou", "angle", "area", "axes", "bhattacharyya", "centroid", "ciou", "ciou_aabb", "ciou_fixed_weight", "ciou_hull", "ciou_rectangle", "circumcircle", "closest_points", "convert", "corners", "crossing", "depth", "diameter", "diou", "diou_aabb", "diou_hull", "diou_rectangle", "distance", "eiou", "eiou_aabb", "eiou_hull", "eiou_rectangle", "farthest_distance", "first_hit", "flip_y", "from_6d", "from_rotation_vector", "from_twist", "giou", "giou_aabb", "giou_hull", "giou_rectangle", "hull_area", "incircle", "inertia", "interpolate", "intersection_area", "intersection_length", "intersection_volume", "inverse", "iof", "iou", "iou_bev", "jeffreys", "kfiou", "kullback_leibler", "left_jacobian", "left_jacobian_inverse", "length", "length_inside", "meeting", "minimum_circle", "minimum_rectangle", "move", "nearest_rotation", "penetration", "perimeter", "probiou", "project", "retract", "right_jacobian", "right_jacobian_inverse", "rotation_vector", "second_moments", "separation_aware", "signed_area", "signed_distance", "span", "squared_angle", "squared_distance", "squared_wasserstein", "surface", "tangent_to", "to_6d", "twist", "volume", "wasserstein", "width", "winding"]

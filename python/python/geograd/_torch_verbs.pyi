@@ -1,5 +1,5 @@
 # Written by stubs.py, from the table of the library.
-from typing import Any, Generic, Optional, Sequence, Type, TypeVar, Union, overload
+from typing import Any, Generic, Optional, Sequence, Type, TypeVar, Union
 
 import torch
 
@@ -16,11 +16,7 @@ class Verb(Generic[_Result]):
     """A verb on tensors, with derivatives of any order."""
     __name__: str
     def __init__(self, name: str) -> None: ...
-    @overload
-    def __call__(self, *arguments: Argument, kind: Kind = ..., to: Kind = ...) -> _Result: ...
-    @overload
-    def __call__(self, *arguments: Union[Argument, _Column], kind: Kind = ...) -> torch.Tensor:
-        """The verb of polygons, rings or other paths, one of which an argument is at least."""
+    def __call__(self, *arguments: Union[Argument, _Column], kind: Kind = ..., to: Kind = ...) -> _Result: ...
     def all_pairs(self, a: torch.Tensor, b: torch.Tensor, *, kind: Kind = ...) -> torch.Tensor: ...
     def sum(self, a: torch.Tensor, b: torch.Tensor, *, kind: Kind = ...) -> torch.Tensor: ...
     def mean(self, a: torch.Tensor, b: torch.Tensor, *, kind: Kind = ...) -> torch.Tensor: ...
