@@ -1,6 +1,7 @@
 """Writes the type stubs of the package and of its verbs on tensors and JAX's arrays, made of the table: `python stubs.py`;
 `python stubs.py --check` fails when they are stale."""
 
+import inspect
 import keyword
 import pathlib
 import re
@@ -169,6 +170,7 @@ class _UnionArea:
         """Every polygon of `a` with every polygon of `b`: a matrix."""
 
 union_area: _UnionArea
+"""{union_area}"""
 
 class _ConvexHull:
     __name__: str
@@ -177,6 +179,7 @@ class _ConvexHull:
         """Cotangents of all points, from those of the vertices of the hulls."""
 
 convex_hull: _ConvexHull
+"""{convex_hull}"""
 
 class _Procrustes:
     __name__: str
@@ -187,9 +190,10 @@ class _Procrustes:
         """Cotangents of points, targets and weights, from those of the pose and of the scale."""
 
 procrustes: _Procrustes
+"""{procrustes}"""
 
 def contains(polygons: Any, points: Any, *, fill: Fill = ...) -> Array:
-    """Whether polygons contain points, item by item, decided exactly; the border belongs to a polygon."""
+    """Says whether polygons contain points, item by item, decided exactly; the border belongs to a polygon."""
 
 class Program:
     """The operations of a function, in the order in which they are carried out."""
@@ -386,7 +390,8 @@ def polygons(verb):
 
 
 def stubs():
-    lines = [HEAD.format(doc=geograd.__doc__, item=ITEM, kind="kind: Kind = ..., ").replace("Report = _core.Report\n", "")]
+    of = {name: inspect.cleandoc(getattr(geograd, name).__doc__) for name in ("union_area", "convex_hull", "procrustes")}
+    lines = [HEAD.format(doc=geograd.__doc__, **of, item=ITEM, kind="kind: Kind = ..., ").replace("Report = _core.Report\n", "")]
     for name, count in ELEMENTARY.items():
         symbolic = ["x: Symbol"] if count == 1 else ["a: Symbol, b: Union[Symbol, float]", "a: float, b: Symbol"]
         takes = "x: ArrayLike" if count == 1 else "a: ArrayLike, b: ArrayLike"
@@ -533,7 +538,7 @@ class Clouds(Paths):
     """Clouds of points of space, in any order."""
 
 def contains(polygons: Any, points: Any, *, fill: Fill = ...) -> {array}:
-    """Whether polygons contain points, item by item, decided exactly; the border belongs to a polygon."""
+    """Says whether polygons contain points, item by item, decided exactly; the border belongs to a polygon."""
 def union_area(a: Any, b: Any) -> {array}:
     """The area that two polygons cover together, item by item."""
 {further}'''

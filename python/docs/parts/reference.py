@@ -7,9 +7,12 @@ import re
 from . import ROOT, write
 
 PACKAGE = ROOT / "python" / "python" / "geograd"
-MODULES = ["torch", "jax", "arrow", "ray", "datafusion", "metric", "assignment"]
+MODULES = [
+    "torch", "jax", "arrow", "geoarrow", "shapely", "ray", "datafusion", "metric", "assignment", "suppression", "torchvision",
+    "mmrotate", "supervision", "ultralytics",
+]
 #: Classes of the stubs, beside shapes and verbs, that a user meets.
-OWN = ["Rings", "Polylines", "Clouds", "Function", "Verb", "Program", "Reports", "Symbol", "Truth"]
+OWN = ["Polygons", "Paths", "Rings", "Polylines", "Clouds", "Function", "Verb", "Program", "Reports", "Symbol", "Truth"]
 
 
 #: Sources whose functions have their defaults, which stubs have not.
@@ -171,6 +174,10 @@ def package(tree, classes):
     for node in functions(tree.body):
         node = whole.get(node.name, node)
         text.append(entry(f"geograd.{node.name}", signature(node), ast.get_docstring(node), 3))
+    text += ["## Polygons and points", "", "Objects that are called, some with a `vjp` or further forms.", ""]
+    for name, own, doc in objects(tree):
+        call = next(node for node in own.body if isinstance(node, ast.FunctionDef) and node.name == "__call__")
+        text.append(entry(f"geograd.{name}", signature(call, name, owner=True), doc, 3))
     forms = next(node for node in parsed("_forms.py").body if isinstance(node, ast.ClassDef))
     text += [
         "## Forms",
@@ -193,6 +200,15 @@ def package(tree, classes):
     return "\n".join(text)
 
 
+def objects(tree):
+    """Returns the objects of the stubs that are no verbs and are called: name, class, text."""
+    classes = {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
+    for node, after in zip(tree.body, tree.body[1:]):
+        own = classes.get(ast.unparse(node.annotation)) if isinstance(node, ast.AnnAssign) else None
+        if own is not None and not own.bases and isinstance(after, ast.Expr) and isinstance(after.value, ast.Constant):
+            yield ast.unparse(node.target), own, after.value.value
+
+
 def said(node):
     """Returns the first line of a function's documentation."""
     return (ast.get_docstring(node) or "").partition("\n")[0]
@@ -205,7 +221,7 @@ def module(name):
     if name == "torch":
         found = [f"`{loss}` of [`{verb}`](verbs.md#{verb})" for loss, verb in losses().items()]
         text += [f"Losses by the names of their scores: {', '.join(found)}.", ""]
-    for node in tree.body:
+    for node in [*imported(tree), *tree.body]:
         if (
             not isinstance(node, (ast.FunctionDef, ast.ClassDef))
             or node.name.startswith("_")
@@ -227,6 +243,18 @@ def module(name):
             if ast.get_docstring(own):
                 text.append(entry(f"{node.name}.{own.name}", signature(own, owner=True), ast.get_docstring(own), 3))
     return "\n".join(text)
+
+
+def imported(tree):
+    """Returns the functions and classes that a module has from the private ones: those that its `__all__` names."""
+    public = [node.value for node in tree.body if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__"]
+    names = {own.value for value in public for own in ast.walk(value) if isinstance(own, ast.Constant)}
+    for node in tree.body:
+        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("geograd._"):
+            wanted = {own.name for own in node.names} & names
+            for own in parsed(f"{node.module.partition('.')[2]}.py").body:
+                if isinstance(own, (ast.FunctionDef, ast.ClassDef)) and own.name in wanted:
+                    yield own
 
 
 def losses():

@@ -164,6 +164,7 @@ class _UnionArea:
         """Every polygon of `a` with every polygon of `b`: a matrix."""
 
 union_area: _UnionArea
+"""The area that two polygons cover together, item by item, in squared units of length."""
 
 class _ConvexHull:
     __name__: str
@@ -172,6 +173,9 @@ class _ConvexHull:
         """Cotangents of all points, from those of the vertices of the hulls."""
 
 convex_hull: _ConvexHull
+"""The convex hull of each set of points, as polygons.
+
+Sets are a list of arrays of shape (P, 2), paths, or the vertices of polygons. Points on a line have a hull without parts."""
 
 class _Procrustes:
     __name__: str
@@ -182,9 +186,13 @@ class _Procrustes:
         """Cotangents of points, targets and weights, from those of the pose and of the scale."""
 
 procrustes: _Procrustes
+"""The motion that brings points of space closest to targets, by the sum of weighted squared distances.
+
+Takes points and targets of shape (P, 3) and weights of shape (P,), by default ones. Gives a ``Pose3``, applied second,
+and a scale, applied first: ``pose * (scale * point)``. With ``rigid=True`` the scale is 1."""
 
 def contains(polygons: Any, points: Any, *, fill: Fill = ...) -> Array:
-    """Whether polygons contain points, item by item, decided exactly; the border belongs to a polygon."""
+    """Says whether polygons contain points, item by item, decided exactly; the border belongs to a polygon."""
 
 class Program:
     """The operations of a function, in the order in which they are carried out."""

@@ -299,7 +299,7 @@ def union_area(a, b):
 
 
 def contains(polygons, points, *, fill="even_odd"):
-    """Whether polygons contain points, item by item, decided exactly: see :func:`geograd.contains`."""
+    """Says whether polygons contain points, item by item, decided exactly: see :func:`geograd.contains`."""
     polygons = polygons if isinstance(polygons, Column) else Polygons.of(polygons)
     layout, points = polygons.layout, jnp.asarray(points, polygons.vertices.dtype)
     points = points.reshape(-1, 2) if points.ndim == 1 else points

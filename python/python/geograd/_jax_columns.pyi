@@ -44,6 +44,6 @@ class Clouds(Paths):
     """Clouds of points of space, in any order."""
 
 def contains(polygons: Any, points: Any, *, fill: Fill = ...) -> jax.Array:
-    """Whether polygons contain points, item by item, decided exactly; the border belongs to a polygon."""
+    """Says whether polygons contain points, item by item, decided exactly; the border belongs to a polygon."""
 def union_area(a: Any, b: Any) -> jax.Array:
     """The area that two polygons cover together, item by item."""

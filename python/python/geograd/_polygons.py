@@ -344,7 +344,7 @@ def _is_of_points(x):
 
 
 def contains(polygons, points, *, fill="even_odd"):
-    """Whether polygons contain points, item by item, decided exactly; the border belongs to a polygon.
+    """Says whether polygons contain points, item by item, decided exactly; the border belongs to a polygon.
 
     One polygon may stand for all points, and one point for all polygons. ``fill`` says which points are inside:
     ``"even_odd"``, those that an odd number of rings enclose, or ``"nonzero"``, those with a winding number other than

@@ -295,6 +295,6 @@ def union_area(a, b):
 
 @torch.compiler.disable
 def contains(polygons, points, *, fill="even_odd"):
-    """Whether polygons contain points, item by item, decided exactly: see :func:`geograd.contains`."""
+    """Says whether polygons contain points, item by item, decided exactly: see :func:`geograd.contains`."""
     polygons = polygons.column if isinstance(polygons, (Polygons, Paths)) else polygons
     return torch.from_numpy(geograd.contains(polygons, _array(points) if isinstance(points, torch.Tensor) else points, fill=fill))

@@ -46,7 +46,7 @@ class Clouds(Paths):
     """Clouds of points of space, in any order."""
 
 def contains(polygons: Any, points: Any, *, fill: Fill = ...) -> torch.Tensor:
-    """Whether polygons contain points, item by item, decided exactly; the border belongs to a polygon."""
+    """Says whether polygons contain points, item by item, decided exactly; the border belongs to a polygon."""
 def union_area(a: Any, b: Any) -> torch.Tensor:
     """The area that two polygons cover together, item by item."""
 
