@@ -8,6 +8,7 @@ import re
 import sys
 
 import geograd
+import stubs_of_columns
 from geograd import _core, _points, _polygons
 from geograd._elementary import ELEMENTARY
 from geograd._verbs import describe, ordered
@@ -492,78 +493,6 @@ class Verb(Generic[_Result]):
 '''
 
 
-COLUMNS = '''# Written by stubs.py, from the table of the library.
-from typing import Any, Literal, Sequence, TypeVar, Union
-
-{imports}
-from numpy.typing import ArrayLike, NDArray
-
-import geograd
-
-Fill = Literal["even_odd", "nonzero"]
-_Self = TypeVar("_Self", bound="Column")
-
-class Column:
-    """Columns whose vertices are {of}, with derivatives by these."""
-    @property
-    def vertices(self) -> {array}: ...
-    @property
-    def offsets(self) -> Any: ...
-{detach}    def __len__(self) -> int: ...
-
-class Polygons(Column):
-    """A column of polygons, each of parts with holes."""
-    def __init__(self, vertices: {given}, offsets: Union[geograd.Polygons, Sequence[ArrayLike]]) -> None: ...
-    @classmethod
-    def of(cls, {items}: Any, {options}) -> Polygons:
-        """Polygons of lists, of geometries, of rings or of boxes."""
-    @classmethod
-    def rings(cls, vertices: {given}) -> Polygons:
-        """Polygons of one ring of V vertices each, of shape (N, V, 2)."""
-
-class Paths(Column):
-    """Paths: vertices one after another, and where each path starts."""
-    def __init__(self, vertices: {given}, offsets: Union[geograd.Paths, ArrayLike]) -> None: ...
-    @classmethod
-    def of(cls: type[_Self], {paths}: Any, {options}) -> _Self:
-        """Paths of lists of vertices, or of geometries."""
-
-class Rings(Paths):
-    """Closed paths: the last vertex of each is joined with its first one."""
-
-class Polylines(Paths):
-    """Open paths, of the plane or of space."""
-
-class Clouds(Paths):
-    """Clouds of points of space, in any order."""
-
-def contains(polygons: Any, points: Any, *, fill: Fill = ...) -> {array}:
-    """Says whether polygons contain points, item by item, decided exactly; the border belongs to a polygon."""
-def union_area(a: Any, b: Any) -> {array}:
-    """The area that two polygons cover together, item by item."""
-{further}'''
-
-ON_TENSORS_TOO = {
-    "imports": "import torch", "of": "tensors", "array": "torch.Tensor", "given": "torch.Tensor", "items": "polygons", "paths": "paths",
-    "detach": "    def detach(self) -> Any:\n        \"\"\"The column without derivatives, of arrays.\"\"\"\n",
-    "options": "dtype: torch.dtype = ..., requires_grad: bool = ...",
-}
-ON_ARRAYS_TOO = {
-    "imports": "import jax", "of": "JAX's arrays", "array": "jax.Array", "given": "Union[jax.Array, NDArray[Any]]", "items": "items",
-    "paths": "items", "detach": "", "options": "dtype: Any = ...", "further": "",
-}
-OVERLAY = '''
-class _Overlay:
-    __name__: str
-    def __call__(self, a: Any, b: Any, *, fill: Fill = ..., valid: bool = ...) -> Polygons: ...
-'''
-
-
-def overlays():
-    """The boolean operations, whose results are columns."""
-    return OVERLAY + "\n" + "".join(f"{name}: _Overlay\n" for name in sorted(_polygons.OVERLAYS))
-
-
 def verbs_on(head, result):
     """The verbs on tensors or arrays."""
     lines = [head.rstrip("\n"), "", f"__all__ = {sorted(_core.verbs())!r}".replace("'", '"'), ""]
@@ -578,8 +507,8 @@ def all_stubs():
         "__init__.pyi": stubs(),
         "_torch_verbs.pyi": verbs_on(ON_TENSORS, "torch.Tensor"),
         "_jax_verbs.pyi": verbs_on(ON_ARRAYS, "jax.Array"),
-        "_torch_polygons.pyi": COLUMNS.format(**ON_TENSORS_TOO, further=overlays()),
-        "_jax_columns.pyi": COLUMNS.format(**ON_ARRAYS_TOO),
+        "_torch_polygons.pyi": stubs_of_columns.ON_TENSORS,
+        "_jax_columns.pyi": stubs_of_columns.ON_ARRAYS,
     }
 
 

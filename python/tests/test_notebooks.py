@@ -25,7 +25,8 @@ def libraries(text):
 
 def chosen():
     """The notebooks of this run: those whose libraries are there, or one of them."""
-    fit = [name for name in NAMES if all(importlib.util.find_spec(own) for own in libraries((FOLDER / f"{name}.py").read_text("utf-8")))]
+    texts = {name: (FOLDER / f"{name}.py").read_text("utf-8") for name in NAMES}
+    fit = [name for name, text in texts.items() if all(map(importlib.util.find_spec, libraries(text)))]
     share = os.environ.get("GEOGRAD_SHARE", "")
     if os.environ.get("GEOGRAD_ALL_ROWS") or not fit:
         return fit

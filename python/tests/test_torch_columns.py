@@ -82,7 +82,8 @@ def test_distances_from_shapes_twice(kind):
 
 def test_distances_of_two_columns_twice():
     a, _ = columns()
-    b = Polygons.of([[(6.0, 1), (7, 2), (6.3, 3)], [[(5.1, 5.3), (6.2, 7.4), (4.9, 6)], [(40.0, 1), (41, 1), (41, 2)]]], requires_grad=True)
+    parts = [[(5.1, 5.3), (6.2, 7.4), (4.9, 6)], [(40.0, 1), (41, 1), (41, 2)]]
+    b = Polygons.of([[(6.0, 1), (7, 2), (6.3, 3)], parts], requires_grad=True)
     found = geograd.torch.distance(a, b)
     assert (found > 0).all()
     twice(lambda x, y: geograd.torch.distance(Polygons(x, a.column), Polygons(y, b.column)), a.vertices, b.vertices)
@@ -109,7 +110,8 @@ def test_formulas_have_the_values_of_the_library():
         operation = _columns.Operation(verb, layouts)
         xs = [x if x is points else np.array(x.vertices) for x in own]
         given = [torch.as_tensor(x) for x in operation.choices(xs)]
-        assert [(x.dtype.is_floating_point, len(x)) for x in given] == [(kind == "float", n) for kind, n in _formulas.sizes(operation)]
+        sizes = [("float" if x.dtype.is_floating_point else "int", len(x)) for x in given]
+        assert sizes == _formulas.sizes(operation)
         found = _formulas.value(_torch_polygons._Space, operation, given, [torch.as_tensor(x) for x in xs])
         np.testing.assert_allclose(found, operation.value(xs), rtol=1e-9, atol=1e-12, err_msg=verb)
 
@@ -189,7 +191,8 @@ def test_one_stands_for_all_and_formats_stay():
     both.sum().backward()
     assert both.shape == (2,) and point.grad.shape == (2,)
     inside = geograd.torch.contains(rings, points)
-    assert inside.dtype == torch.bool and inside.tolist() == geograd.contains(rings.column, np.array(POINTS)).tolist() == [True, False]
+    assert inside.dtype == torch.bool and inside.tolist() == [True, False]
+    assert inside.tolist() == geograd.contains(rings.column, np.array(POINTS)).tolist()
     assert "torch.Rings 1" in repr(rings) and len(rings) == 1 and type(rings.detach()) is geograd.Rings
 
 

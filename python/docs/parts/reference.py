@@ -25,9 +25,17 @@ def parsed(name):
     return ast.parse((PACKAGE / name).read_text(encoding="utf-8"))
 
 
+def listed(own):
+    """Returns a line and the indented list below it as Markdown."""
+    return f"{own[1]}:\n\n" + re.sub(r"(?m)^    ", "", own[2]) + "\n"
+
+
 def markdown(text):
     """Returns a docstring as Markdown."""
     text = re.sub(r":(?:\w+):`([^`]*)`", r"`\1`", text or "")
+    # Sessions stand in fences, and lists below a line of their own are no code.
+    text = re.sub(r"(?m)^>>> .*\n(?:.+\n)*", lambda own: f"```pycon\n{own[0]}```\n", inspect.cleandoc(text) + "\n")
+    text = re.sub(r"(?m)^(\S.*)\n((?:    .*\n)*    \* .*\n(?:    .*\n)*)", listed, text)
     lines, code = [], False
     for line in inspect.cleandoc(text).splitlines():
         inside = line.startswith("    ") or not line.strip()
@@ -40,7 +48,7 @@ def markdown(text):
         if not code and ARGUMENT.match(line):
             lines += [""] if lines and lines[-1].strip() and not lines[-1].startswith(("* ", "  ")) else []
             line = ARGUMENT.sub(r"* `\1`: ", line)
-        elif not code and line.strip() and lines and lines[-1].startswith(("* `", "  ")):
+        elif not code and line.strip() and not line.startswith("* ") and lines and lines[-1].startswith(("* `", "  ")):
             line = "  " + line
         if line.rstrip().endswith("::") and not code:
             line = line.rstrip()[:-2].rstrip() + (":" if line.strip() != "::" else "")
@@ -64,7 +72,7 @@ def signature(node, name=None, owner=False):
     if own.kwarg:
         parts.append(f"**{own.kwarg.arg}")
     call = f"{name or node.name}({', '.join(parts)})"
-    return call if len(call) <= 100 else f"{name or node.name}(\n    " + ",\n    ".join(parts) + ",\n)"
+    return call if len(call) <= 84 else f"{name or node.name}(\n    " + ",\n    ".join(parts) + ",\n)"
 
 
 def one(argument, default):
@@ -231,7 +239,7 @@ def module(name):
         if isinstance(node, ast.FunctionDef):
             text.append(entry(f"geograd.{name}.{node.name}", signature(node), ast.get_docstring(node)))
             continue
-        made = next((own for own in node.body if isinstance(own, ast.FunctionDef) and own.name == "__init__"), None)
+        made = constructor(node)
         text.append(
             entry(
                 f"geograd.{name}.{node.name}",
@@ -255,6 +263,19 @@ def imported(tree):
             for own in parsed(f"{node.module.partition('.')[2]}.py").body:
                 if isinstance(own, (ast.FunctionDef, ast.ClassDef)) and own.name in wanted:
                     yield own
+
+
+def constructor(node, sources=("_torch_polygons.py", "_jax_columns.py", "_losses.py")):
+    """Returns the constructor of a class, or of the class that it extends."""
+    made = next((own for own in node.body if isinstance(own, ast.FunctionDef) and own.name == "__init__"), None)
+    if made is not None or not node.bases:
+        return made
+    for source in sources:
+        classes = {own.name: own for own in parsed(source).body if isinstance(own, ast.ClassDef)}
+        if classes.get(node.name) is not None and ast.dump(classes[node.name]) == ast.dump(node):
+            base = classes.get(ast.unparse(node.bases[0]))
+            return base and constructor(base, [source])
+    return None
 
 
 def losses():

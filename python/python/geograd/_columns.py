@@ -66,8 +66,9 @@ class Layout:
 
     def checked(self, shape):
         """Raises an error unless vertices have a shape."""
-        if tuple(shape[-2:]) != (int(self.ends[-1]), self.width):
-            raise ValueError(f"vertices: {(int(self.ends[-1]), self.width)} is the shape that the offsets ask for, not {tuple(shape)}")
+        wanted = int(self.ends[-1]), self.width
+        if tuple(shape[-2:]) != wanted:
+            raise ValueError(f"vertices: {wanted} is the shape that the offsets ask for, not {tuple(shape)}")
 
     def sums(self, of_vertices):
         """The sums of what the vertices of each item have."""
@@ -150,7 +151,9 @@ class Operation:
         found = getattr(geograd, self.verb).vjp(*self._dressed(xs), np.ascontiguousarray(bar))
         found = found if isinstance(found, tuple) else (found,)
         # A row of points that stands for all has a cotangent of each item.
-        return [own.sum(0, keepdims=True) if own.shape != x.shape and len(x) == 1 else own.reshape(x.shape) for own, x in zip(found, xs)]
+        is_spread = [own.shape != x.shape and len(x) == 1 for own, x in zip(found, xs)]
+        summed = [own.sum(0) if spread else own for own, spread in zip(found, is_spread)]
+        return [own.reshape(x.shape) for own, x in zip(summed, xs)]
 
     def jvp(self, xs, directions):
         """The derivatives of the results along directions of the arrays, of which some may be None."""

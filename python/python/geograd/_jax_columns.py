@@ -21,7 +21,8 @@ class Column:
         if vertices.ndim != 2:
             raise ValueError(f"vertices: an array of shape (V, 2) is needed, not {vertices.shape}")
         if vertices.dtype not in (jnp.float32, jnp.float64):
-            raise TypeError(f"geograd.jax.{type(self).__name__} takes float32 and float64, not {vertices.dtype}: convert with .astype")
+            name = f"geograd.jax.{type(self).__name__}"
+            raise TypeError(f"{name} takes float32 and float64, not {vertices.dtype}: convert with .astype")
         self.layout = _columns.Layout.of(own) if own is not None else self._made(offsets, vertices.shape[1])
         self.layout.checked(vertices.shape)
         if not isinstance(vertices, jax.core.Tracer):
@@ -70,7 +71,7 @@ class Polygons(Column):
     column is a tree with one leaf, its vertices: it goes into ``jit``, ``grad`` and ``vmap``, and its gradient is such a column.
 
     >>> def loss(a, b): return (1 - geograd.jax.iou(a, b)).sum()
-    >>> by_vertices = jax.grad(loss)(geograd.jax.Polygons.of(a), geograd.Polygons.of(b)).vertices
+    >>> by_vertices = jax.grad(loss)(geograd.jax.Polygons.of(a), geograd.jax.Polygons.of(b)).vertices
     """
 
     _column = geograd.Polygons

@@ -260,7 +260,8 @@ def _given(verb, x, dtype, kind):
     if isinstance(x, (Polygons, Paths)):
         return x.layout, x.vertices.to(dtype)
     if not isinstance(x, torch.Tensor) or x.dim() not in (1, 2):
-        raise TypeError(f"geograd.torch.{verb} of a column takes a tensor of points of shape (N, 2) beside it, not {type(x).__name__}")
+        given = type(x).__name__
+        raise TypeError(f"geograd.torch.{verb} of a column takes a tensor of points of shape (N, 2) beside it, not {given}")
     x = x.to(dtype).reshape(-1, x.shape[-1])
     return _columns.Rows(_columns.kind_of_rows(verb, kind, x.shape[1]), len(x)), x
 
