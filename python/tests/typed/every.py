@@ -6,7 +6,6 @@ import importlib.util
 from typing import Any
 
 import jax
-import jax.numpy as jnp
 import numpy as np
 import numpy.typing as npt
 import torch
@@ -48,7 +47,7 @@ def on_tensors(x: torch.Tensor) -> torch.Tensor:
 def on_arrays(x: Numbers) -> jax.Array:
     a = geograd.jax.Polygons(x, [[0, 4]])
     rings = geograd.jax.Rings.of([SQUARE])
-    found: jax.Array = geograd.jax.iou(a, geograd.Polygons.of([SQUARE + 1])) + geograd.jax.signed_distance(jnp.ones((1, 2)), rings)
+    found: jax.Array = geograd.jax.iou(a, geograd.Polygons.of([SQUARE + 1])) + geograd.jax.signed_distance(np.ones((1, 2)), rings)
     return found + geograd.jax.union_area(a, a) + geograd.jax.contains(a, np.ones((1, 2))) + geograd.jax.area(rings)
 
 
