@@ -7,7 +7,7 @@ import numpy as np
 
 from . import _core, _polygons, _separation
 
-#: Half the angle of no shape that people draw: lines of sums are parallel to no edge.
+#: A turn by one radian, after which hardly an edge that people draw is vertical: the sums below divide by widths.
 COS, SIN = float(np.cos(1.0)), float(np.sin(1.0))
 _LINES = ("length", "perimeter")
 _DISTANCES = ("depth", "distance", "signed_distance")
@@ -210,7 +210,7 @@ def _overlap(xp, of, given, xs):
 
 
 def _turned(xp, v):
-    """Coordinates along axes to which no edge that people draw is parallel."""
+    """Coordinates after a turn by one radian."""
     return v[:, 0] * COS - v[:, 1] * SIN, v[:, 0] * SIN + v[:, 1] * COS
 
 

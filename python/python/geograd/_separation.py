@@ -28,7 +28,6 @@ class Outline:
         self.vertices, self.following, self.area, self.radius = vertices, following, area, radius
         #: How many edges there are up to each item, one vertex of each ring, and how many rings there are up to each item.
         self.ends, self.starts, self.rings = ends, starts, rings
-        self.places = np.arange(len(following)), following
 
     def __len__(self):
         return len(self.ends) - 1
