@@ -1,11 +1,14 @@
 """Writes the type stubs of the package and of its verbs on tensors and JAX's arrays, made of the table: `python stubs.py`;
 `python stubs.py --check` fails when they are stale."""
 
+import inspect
 import keyword
 import pathlib
+import re
 import sys
 
 import geograd
+import stubs_of_columns
 from geograd import _core, _points, _polygons
 from geograd._elementary import ELEMENTARY
 from geograd._verbs import describe, ordered
@@ -168,6 +171,7 @@ class _UnionArea:
         """Every polygon of `a` with every polygon of `b`: a matrix."""
 
 union_area: _UnionArea
+"""{union_area}"""
 
 class _ConvexHull:
     __name__: str
@@ -176,6 +180,7 @@ class _ConvexHull:
         """Cotangents of all points, from those of the vertices of the hulls."""
 
 convex_hull: _ConvexHull
+"""{convex_hull}"""
 
 class _Procrustes:
     __name__: str
@@ -186,9 +191,10 @@ class _Procrustes:
         """Cotangents of points, targets and weights, from those of the pose and of the scale."""
 
 procrustes: _Procrustes
+"""{procrustes}"""
 
 def contains(polygons: Any, points: Any, *, fill: Fill = ...) -> Array:
-    """Whether polygons contain points, item by item, decided exactly; the border belongs to a polygon."""
+    """Says whether polygons contain points, item by item, decided exactly; the border belongs to a polygon."""
 
 class Program:
     """The operations of a function, in the order in which they are carried out."""
@@ -375,12 +381,18 @@ def polygons(verb):
     if verb in _polygons.VERBS:
         takes, gives = _polygons.VERBS[verb]
         yield takes.replace("point: Vec2", "point: Union[Vec2, Array]"), "Array" if gives == "number" else gives
+        for takes, _ in _polygons.FURTHER.get(verb, []):
+            # One of several shapes, in either place.
+            takes = re.sub(r": (\w+(?:, \w+)* or \w+)", lambda own: f": Union[{own[1].replace(' or ', ', ')}]", takes)
+            pair = re.findall(r"\w+: (?:Union\[.*?\]|\w+)", takes)
+            yield from ((", ".join(own), "Array") for own in ([pair, pair[::-1]] if "Union" in takes else [pair]))
     if verb in _points.VERBS:
         yield "points: Union[Paths, Polygons]", _points.VERBS[verb] or "Array"
 
 
 def stubs():
-    lines = [HEAD.format(doc=geograd.__doc__, item=ITEM, kind="kind: Kind = ..., ").replace("Report = _core.Report\n", "")]
+    of = {name: inspect.cleandoc(getattr(geograd, name).__doc__) for name in ("union_area", "convex_hull", "procrustes")}
+    lines = [HEAD.format(doc=geograd.__doc__, **of, item=ITEM, kind="kind: Kind = ..., ").replace("Report = _core.Report\n", "")]
     for name, count in ELEMENTARY.items():
         symbolic = ["x: Symbol"] if count == 1 else ["a: Symbol, b: Union[Symbol, float]", "a: float, b: Symbol"]
         takes = "x: ArrayLike" if count == 1 else "a: ArrayLike, b: ArrayLike"
@@ -424,18 +436,20 @@ from typing import Any, Generic, Optional, Sequence, Type, TypeVar, Union
 
 import torch
 
-from geograd import Shape
+from geograd import Paths as _Paths, Polygons as _Polygons, Shape
+from geograd._torch_polygons import Column
 
 Kind = Union[str, Type[Shape], None, Sequence[Union[str, Type[Shape], None]]]
 Argument = Union[torch.Tensor, float]
 Offsets = Union[torch.Tensor, Sequence[int], Any]
+_Column = Union[Column, _Polygons, _Paths]
 _Result = TypeVar("_Result", covariant=True)
 
 class Verb(Generic[_Result]):
     """A verb on tensors, with derivatives of any order."""
     __name__: str
     def __init__(self, name: str) -> None: ...
-    def __call__(self, *arguments: Argument, kind: Kind = ..., to: Kind = ...) -> _Result: ...
+    def __call__(self, *arguments: Union[Argument, _Column], kind: Kind = ..., to: Kind = ...) -> _Result: ...
     def all_pairs(self, a: torch.Tensor, b: torch.Tensor, *, kind: Kind = ...) -> torch.Tensor: ...
     def sum(self, a: torch.Tensor, b: torch.Tensor, *, kind: Kind = ...) -> torch.Tensor: ...
     def mean(self, a: torch.Tensor, b: torch.Tensor, *, kind: Kind = ...) -> torch.Tensor: ...
@@ -462,16 +476,18 @@ from typing import Any, Generic, Sequence, Type, TypeVar, Union
 import jax
 from jax.typing import ArrayLike
 
-from geograd import Shape
+from geograd import Paths as _Paths, Polygons as _Polygons, Shape
+from geograd._jax_columns import Column
 
 Kind = Union[str, Type[Shape], None, Sequence[Union[str, Type[Shape], None]]]
+_Column = Union[Column, _Polygons, _Paths]
 _Result = TypeVar("_Result", covariant=True)
 
 class Verb(Generic[_Result]):
     """A verb on JAX's arrays, with derivatives of any order."""
     __name__: str
     def __init__(self, name: str) -> None: ...
-    def __call__(self, *arguments: ArrayLike, kind: Kind = ..., to: Kind = ...) -> _Result: ...
+    def __call__(self, *arguments: Union[ArrayLike, _Column], kind: Kind = ..., to: Kind = ...) -> _Result: ...
     def all_pairs(self, a: ArrayLike, b: ArrayLike, *, kind: Kind = ...) -> jax.Array: ...
 
 '''
@@ -491,6 +507,8 @@ def all_stubs():
         "__init__.pyi": stubs(),
         "_torch_verbs.pyi": verbs_on(ON_TENSORS, "torch.Tensor"),
         "_jax_verbs.pyi": verbs_on(ON_ARRAYS, "jax.Array"),
+        "_torch_polygons.pyi": stubs_of_columns.ON_TENSORS,
+        "_jax_columns.pyi": stubs_of_columns.ON_ARRAYS,
     }
 
 

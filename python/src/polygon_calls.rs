@@ -1,4 +1,4 @@
-//! What is computed of polygons, item by item, on all cores.
+//! Measures, overlaps and distances of polygons, item by item, on all cores.
 use crate::polygons::{Format, Polygons, rows};
 use crate::threads::{FEW, get_num_threads, on_threads};
 use geograd::ad::adjoint::{overlap_rings, polygon as adjoint};
@@ -380,7 +380,7 @@ fn of_pairs<'py, T: Format>(
                     }
                     _ => true,
                 };
-                // What is apart shares nothing.
+                // Polygons that are apart share nothing.
                 values.push(match (overlap, are_apart) {
                     (Overlap::Union, _) | (_, false) => {
                         overlap.value(of_a, b.layout.item(&vertices_b, k))

@@ -319,7 +319,7 @@ impl Polygons {
     fn vertices(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
         Ok(self.arrays(py)?.0.clone_ref(py))
     }
-    /// Where each ring starts among the vertices, each part among the rings, each polygon among the parts.
+    /// Returns where each ring starts among the vertices, each part among the rings, each polygon among the parts.
     #[getter]
     fn offsets(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
         Ok(self.arrays(py)?.1.clone_ref(py))
@@ -366,7 +366,7 @@ impl Polygons {
         made.check()?;
         Ok(made)
     }
-    /// Whether each polygon has the rings of that of another column, vertex by vertex.
+    /// Says whether each polygon has the rings of that of another column, vertex by vertex.
     fn _equal(&self, other: &Polygons) -> Vec<bool> {
         let (own, others) = (f64::of(&self.vertices), f64::of(&other.vertices));
         let equal = |item: usize| {

@@ -195,3 +195,44 @@ def test_nuscenes_of_all_frames():
     assert score == pytest.approx((5 * 0.75 + 0.5 + 1.0) / 10)
     with pytest.raises(ValueError, match="`truths` item 1: size is not positive"):
         geograd.metric.nuscenes({"box": moved}, [0.9, 0.8], {"box": box * [[1] * 6, [1, 1, 0, 1, 1, 1]]}, groups)
+
+
+def by_voc(scores, truths, pairs, threshold, ignored_truths, ignored_detections):
+    """The rule of PASCAL VOC, one detection after the other."""
+    taken, found = set(), {}
+    for i in sorted(range(len(scores)), key=lambda i: (-scores[i], i)):
+        near = [(-value, truth) for row, truth, value in zip(*pairs) if row == i and value >= threshold]
+        truth = min(near)[1] if near else None
+        if ignored_detections[i] or (truth is not None and ignored_truths[truth]):
+            found[i] = -2
+        elif truth is None or truth in taken:
+            found[i] = -1
+        else:
+            taken.add(truth)
+            found[i] = truth
+    return [found[i] for i in range(len(scores))]
+
+
+def test_outcomes_by_the_rule_of_voc():
+    from geograd import metric
+
+    # Both find truth 0 best; the second one has another that is free.
+    pairs = ([0, 1, 1], [0, 0, 1], [0.9, 0.8, 0.7])
+    assert metric.outcomes([0.9, 0.8], 2, pairs, 0.5).tolist() == [0, 1]
+    assert metric.outcomes_voc([0.9, 0.8], 2, pairs, 0.5).tolist() == [0, -1]
+    dice = np.random.default_rng(8)
+    seen = set()
+    for _ in range(60):
+        n, m = dice.integers(1, 9, 2)
+        every = np.stack(np.meshgrid(np.arange(n), np.arange(m)), -1).reshape(-1, 2)
+        some = every[dice.random(len(every)) < 0.6]
+        # Few values, so that scores and overlaps tie.
+        pairs = some[:, 0], some[:, 1], dice.integers(1, 6, len(some)) / 5
+        scores, ignored = dice.integers(0, 4, n) / 4, (dice.random(m) < 0.2, dice.random(n) < 0.2)
+        found = metric.outcomes_voc(scores, m, pairs, 0.4, ignored_truths=ignored[0], ignored_detections=ignored[1])
+        assert found.tolist() == by_voc(scores, m, pairs, 0.4, *ignored)
+        seen |= set(np.minimum(found, 0).tolist())
+    assert seen == {0, -1, -2}
+    assert metric.outcomes_voc([], 0, ([], [], []), 0.5).tolist() == []
+    with pytest.raises((ValueError, IndexError)):
+        metric.outcomes_voc([0.9], 1, ([3], [0], [0.9]), 0.5)

@@ -56,3 +56,13 @@ def test_what_a_package_index_shows():
     assert links and all(link.startswith(("https://", "#")) for link in links), links
     for name in ("LICENSE-MIT", "LICENSE-APACHE"):
         assert (PYTHON / name).read_text() == (PYTHON.parent / name).read_text()
+
+
+def test_headlines_are_of_verbs_of_several_kinds():
+    from geograd._headlines import HEADLINES
+
+    for name, head in HEADLINES.items():
+        text = getattr(geograd, name).__doc__
+        assert text.startswith(head + "\n\nRows:\n") and len(text.splitlines()) > 6, name
+    # A verb whose rows differ begins with a sentence on one of its kinds only where that is said of all.
+    assert geograd.centroid.__doc__.splitlines()[0] == "The centre of the area, of the volume, or of points."

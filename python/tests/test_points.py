@@ -44,7 +44,7 @@ def test_shapes_around_points_are_those_of_shapely(sets):
     assert circles.radius == pytest.approx(shapely.minimum_bounding_radius(clouds))
     boxes = geograd.minimum_rectangle(points)
     least = shapely.area(np.array([shapely.oriented_envelope(own) for own in clouds], object))
-    # Of a triangle all three rectangles along a side have one area.
+    # All three rectangles along a side of a triangle have one area.
     assert geograd.area(boxes) == pytest.approx(least)
     corners = geograd.corners(boxes).array.reshape(-1, 4, 2)
     around = shapely.buffer(shapely.polygons(corners), 1e-9)

@@ -145,6 +145,15 @@ def test_bad_columns_say_which_polygon():
         Polygons(square + [[0, 0], [1, np.nan], [1, 1]], ([0, 4, 7],))
     with pytest.raises(ValueError, match="polygon 0: "):
         Polygons([[0, 0], [1, 1], [0, 0], [1, 1]], ([0, 4],))
+    lists = [[square], [square, [(0.1, 0.1), (0.2, "x"), (0.2, 0.2)]]]
+    with pytest.raises(ValueError, match=r"polygon 1: part 1: ring 1: vertex 1 is \(0.2, 'x'\), and two numbers"):
+        Polygons.of([square, lists])
+    with pytest.raises(ValueError, match=r"polygon 0: ring 1: vertices of shape \(V, 2\)"):
+        Polygons.of([[square, [(0, 0, 0)] * 3]])
+    with pytest.raises(ValueError, match="polygon 1: ring 1: vertex 2 has a coordinate"):
+        Polygons.of([square, [square, [(0.1, 0.1), (0.2, 0.1), (0.2, np.nan)]]])
+    with pytest.raises(TypeError, match="polygon 1: .* not None"):
+        Polygons.of([square, None])
     with pytest.raises(TypeError, match="geometry 1: .*LineString"):
         Polygons.from_shapely([box(0, 0, 1, 1), shapely.LineString([(0, 0), (1, 1)])])
     with pytest.raises(TypeError, match="geometry 0: .*missing"):
@@ -268,7 +277,7 @@ def test_hostile_pairs(name):
         made = getattr(geograd, name)(a, b, valid=valid)
         close(geograd.area(made), expected)
         assert shapely.is_valid(made.to_shapely()).all() or not valid
-        # What a result is, an input may be.
+        # Results may be inputs.
         again = getattr(geograd, name)(made, b, valid=valid)
         shape = shapely.make_valid(made.to_shapely())
         close(geograd.area(again), shapely.area(getattr(shapely, name)(shape, b)))
@@ -453,8 +462,6 @@ def test_forms_and_shapes_that_polygons_lack():
         geograd.iou(p)
     with pytest.raises(TypeError, match="no options"):
         geograd.iou(p, p, backend="gpu")
-    with pytest.raises(TypeError, match="no two columns"):
-        geograd.distance(p, p)
     with pytest.raises(ValueError, match=r"\(N, 2\)"):
         geograd.distance(np.zeros((2, 3)), p)
     assert "Polygons" in geograd.iou.__doc__ and "either of two polygons" in geograd.union.__doc__

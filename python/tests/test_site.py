@@ -241,3 +241,10 @@ def test_docstrings_become_markdown():
         reference.markdown(text)
         == "Runs it:\n\n```python\nf(x)\n```\n\n* `first`: one of\n    two.\n* `second`: more."
     )
+
+
+def test_sessions_and_lists_of_docstrings_become_markdown():
+    text = "Stands in.\n\n>>> f(1)\n2\n\nDifferences\n    * One that\n      goes on.\n    * Two.\n\nEnd."
+    assert reference.markdown(text) == (
+        "Stands in.\n\n```pycon\n>>> f(1)\n2\n```\n\nDifferences:\n\n* One that\n  goes on.\n* Two.\n\n\nEnd."
+    )

@@ -15,9 +15,9 @@ import pytest
 import geograd
 
 FOLDER = pathlib.Path(__file__).parent / "typed"
-FILES = (FOLDER / "script.py", FOLDER / "mistakes.py")
+FILES = (FOLDER / "script.py", FOLDER / "every.py", FOLDER / "mistakes.py")
 PACKAGE = pathlib.Path(geograd.__file__).parents[1]
-STUBS = [str(PACKAGE / "geograd" / name) for name in ("__init__.pyi", "_torch_verbs.pyi", "_jax_verbs.pyi")]
+STUBS = sorted(map(str, (PACKAGE / "geograd").glob("*.pyi")))
 MISTAKES = [i for i, line in enumerate((FOLDER / "mistakes.py").read_text().splitlines(), 1) if line.endswith("# mistake")]
 
 needs = [pytest.mark.skipif(importlib.util.find_spec(name) is None, reason=f"{name} is missing") for name in ("torch", "jax")]
@@ -28,7 +28,7 @@ pytestmark = needs
 def by_mypy():
     """Errors of both files, by file and line."""
     pytest.importorskip("mypy")
-    # What is imported counts by its types, not by its code.
+    # Imported modules count by their types, not by their code.
     options = ["--strict", "--follow-imports=silent", "--ignore-missing-imports", "--no-error-summary"]
     with tempfile.TemporaryDirectory() as cache:
         command = [sys.executable, "-m", "mypy", *options, "--cache-dir", cache, *map(str, FILES), *STUBS]
@@ -60,7 +60,7 @@ def by_pyright():
     if not done.stdout.lstrip().startswith("{"):
         pytest.skip(f"pyright does not run here: {done.stderr[-200:]}")
     found = json.loads(done.stdout)
-    assert found["summary"]["filesAnalyzed"] >= 2
+    assert found["summary"]["filesAnalyzed"] >= 3
     errors = [one for one in found["generalDiagnostics"] if one["severity"] == "error"]
     return [(pathlib.Path(one["file"]).name, one["range"]["start"]["line"] + 1, one["message"]) for one in errors]
 
@@ -69,8 +69,9 @@ CHECKERS = pytest.mark.parametrize("checker", [by_mypy, by_pyright], ids=["mypy"
 
 
 @CHECKERS
-def test_a_script_is_accepted(checker):
-    assert [one for one in checker() if one[0] == "script.py"] == []
+@pytest.mark.parametrize("name", ["script.py", "every.py"])
+def test_a_script_is_accepted(checker, name):
+    assert [one for one in checker() if one[0] == name] == []
 
 
 @CHECKERS
@@ -88,3 +89,15 @@ def test_the_script_runs():
     if "No module named 'pyarrow'" in done.stderr or "No module named 'ray'" in done.stderr:
         pytest.skip("pyarrow is missing")
     assert done.returncode == 0 and done.stdout == "(2,) 4 (1,) torch.Size([])\nTrue True\n", done.stderr
+
+
+def test_the_script_of_every_submodule_runs():
+    done = subprocess.run([sys.executable, FOLDER / "every.py"], capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0, done.stderr[-2000:]
+    assert done.stdout == "(1,) torch.Size([1]) (1,)\ntorch.Size([]) True\n"
+
+
+def test_scripts_use_every_submodule():
+    package, text = PACKAGE / "geograd", "".join(file.read_text() for file in FILES)
+    names = [path.stem for path in package.glob("*.py") if not path.stem.startswith("_")]
+    assert len(names) >= 14 and [name for name in names if not re.search(rf"\bgeograd\.{name}\b|import .*\b{name}\b", text)] == []

@@ -7,9 +7,12 @@ import re
 from . import ROOT, write
 
 PACKAGE = ROOT / "python" / "python" / "geograd"
-MODULES = ["torch", "jax", "arrow", "ray", "datafusion", "metric", "assignment"]
+MODULES = [
+    "torch", "jax", "arrow", "geoarrow", "shapely", "ray", "datafusion", "metric", "assignment", "suppression", "torchvision",
+    "mmrotate", "supervision", "ultralytics",
+]
 #: Classes of the stubs, beside shapes and verbs, that a user meets.
-OWN = ["Rings", "Polylines", "Clouds", "Function", "Verb", "Program", "Reports", "Symbol", "Truth"]
+OWN = ["Polygons", "Paths", "Rings", "Polylines", "Clouds", "Function", "Verb", "Program", "Reports", "Symbol", "Truth"]
 
 
 #: Sources whose functions have their defaults, which stubs have not.
@@ -22,9 +25,17 @@ def parsed(name):
     return ast.parse((PACKAGE / name).read_text(encoding="utf-8"))
 
 
+def listed(own):
+    """Returns a line and the indented list below it as Markdown."""
+    return f"{own[1]}:\n\n" + re.sub(r"(?m)^    ", "", own[2]) + "\n"
+
+
 def markdown(text):
     """Returns a docstring as Markdown."""
     text = re.sub(r":(?:\w+):`([^`]*)`", r"`\1`", text or "")
+    # Sessions stand in fences, and lists below a line of their own are no code.
+    text = re.sub(r"(?m)^>>> .*\n(?:.+\n)*", lambda own: f"```pycon\n{own[0]}```\n", inspect.cleandoc(text) + "\n")
+    text = re.sub(r"(?m)^(\S.*)\n((?:    .*\n)*    \* .*\n(?:    .*\n)*)", listed, text)
     lines, code = [], False
     for line in inspect.cleandoc(text).splitlines():
         inside = line.startswith("    ") or not line.strip()
@@ -37,7 +48,7 @@ def markdown(text):
         if not code and ARGUMENT.match(line):
             lines += [""] if lines and lines[-1].strip() and not lines[-1].startswith(("* ", "  ")) else []
             line = ARGUMENT.sub(r"* `\1`: ", line)
-        elif not code and line.strip() and lines and lines[-1].startswith(("* `", "  ")):
+        elif not code and line.strip() and not line.startswith("* ") and lines and lines[-1].startswith(("* `", "  ")):
             line = "  " + line
         if line.rstrip().endswith("::") and not code:
             line = line.rstrip()[:-2].rstrip() + (":" if line.strip() != "::" else "")
@@ -61,7 +72,7 @@ def signature(node, name=None, owner=False):
     if own.kwarg:
         parts.append(f"**{own.kwarg.arg}")
     call = f"{name or node.name}({', '.join(parts)})"
-    return call if len(call) <= 100 else f"{name or node.name}(\n    " + ",\n    ".join(parts) + ",\n)"
+    return call if len(call) <= 84 else f"{name or node.name}(\n    " + ",\n    ".join(parts) + ",\n)"
 
 
 def one(argument, default):
@@ -171,6 +182,10 @@ def package(tree, classes):
     for node in functions(tree.body):
         node = whole.get(node.name, node)
         text.append(entry(f"geograd.{node.name}", signature(node), ast.get_docstring(node), 3))
+    text += ["## Polygons and points", "", "Objects that are called, some with a `vjp` or further forms.", ""]
+    for name, own, doc in objects(tree):
+        call = next(node for node in own.body if isinstance(node, ast.FunctionDef) and node.name == "__call__")
+        text.append(entry(f"geograd.{name}", signature(call, name, owner=True), doc, 3))
     forms = next(node for node in parsed("_forms.py").body if isinstance(node, ast.ClassDef))
     text += [
         "## Forms",
@@ -193,6 +208,15 @@ def package(tree, classes):
     return "\n".join(text)
 
 
+def objects(tree):
+    """Returns the objects of the stubs that are no verbs and are called: name, class, text."""
+    classes = {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
+    for node, after in zip(tree.body, tree.body[1:]):
+        own = classes.get(ast.unparse(node.annotation)) if isinstance(node, ast.AnnAssign) else None
+        if own is not None and not own.bases and isinstance(after, ast.Expr) and isinstance(after.value, ast.Constant):
+            yield ast.unparse(node.target), own, after.value.value
+
+
 def said(node):
     """Returns the first line of a function's documentation."""
     return (ast.get_docstring(node) or "").partition("\n")[0]
@@ -205,7 +229,7 @@ def module(name):
     if name == "torch":
         found = [f"`{loss}` of [`{verb}`](verbs.md#{verb})" for loss, verb in losses().items()]
         text += [f"Losses by the names of their scores: {', '.join(found)}.", ""]
-    for node in tree.body:
+    for node in [*imported(tree), *tree.body]:
         if (
             not isinstance(node, (ast.FunctionDef, ast.ClassDef))
             or node.name.startswith("_")
@@ -215,7 +239,7 @@ def module(name):
         if isinstance(node, ast.FunctionDef):
             text.append(entry(f"geograd.{name}.{node.name}", signature(node), ast.get_docstring(node)))
             continue
-        made = next((own for own in node.body if isinstance(own, ast.FunctionDef) and own.name == "__init__"), None)
+        made = constructor(node)
         text.append(
             entry(
                 f"geograd.{name}.{node.name}",
@@ -227,6 +251,31 @@ def module(name):
             if ast.get_docstring(own):
                 text.append(entry(f"{node.name}.{own.name}", signature(own, owner=True), ast.get_docstring(own), 3))
     return "\n".join(text)
+
+
+def imported(tree):
+    """Returns the functions and classes that a module has from the private ones: those that its `__all__` names."""
+    public = [node.value for node in tree.body if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__"]
+    names = {own.value for value in public for own in ast.walk(value) if isinstance(own, ast.Constant)}
+    for node in tree.body:
+        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("geograd._"):
+            wanted = {own.name for own in node.names} & names
+            for own in parsed(f"{node.module.partition('.')[2]}.py").body:
+                if isinstance(own, (ast.FunctionDef, ast.ClassDef)) and own.name in wanted:
+                    yield own
+
+
+def constructor(node, sources=("_torch_polygons.py", "_jax_columns.py", "_losses.py")):
+    """Returns the constructor of a class, or of the class that it extends."""
+    made = next((own for own in node.body if isinstance(own, ast.FunctionDef) and own.name == "__init__"), None)
+    if made is not None or not node.bases:
+        return made
+    for source in sources:
+        classes = {own.name: own for own in parsed(source).body if isinstance(own, ast.ClassDef)}
+        if classes.get(node.name) is not None and ast.dump(classes[node.name]) == ast.dump(node):
+            base = classes.get(ast.unparse(node.bases[0]))
+            return base and constructor(base, [source])
+    return None
 
 
 def losses():

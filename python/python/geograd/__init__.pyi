@@ -164,6 +164,7 @@ class _UnionArea:
         """Every polygon of `a` with every polygon of `b`: a matrix."""
 
 union_area: _UnionArea
+"""The area that two polygons cover together, item by item, in squared units of length."""
 
 class _ConvexHull:
     __name__: str
@@ -172,6 +173,9 @@ class _ConvexHull:
         """Cotangents of all points, from those of the vertices of the hulls."""
 
 convex_hull: _ConvexHull
+"""The convex hull of each set of points, as polygons.
+
+Sets are a list of arrays of shape (P, 2), paths, or the vertices of polygons. Points on a line have a hull without parts."""
 
 class _Procrustes:
     __name__: str
@@ -182,9 +186,13 @@ class _Procrustes:
         """Cotangents of points, targets and weights, from those of the pose and of the scale."""
 
 procrustes: _Procrustes
+"""The motion that brings points of space closest to targets, by the sum of weighted squared distances.
+
+Takes points and targets of shape (P, 3) and weights of shape (P,), by default ones. Gives a ``Pose3``, applied second,
+and a scale, applied first: ``pose * (scale * point)``. With ``rigid=True`` the scale is 1."""
 
 def contains(polygons: Any, points: Any, *, fill: Fill = ...) -> Array:
-    """Whether polygons contain points, item by item, decided exactly; the border belongs to a polygon."""
+    """Says whether polygons contain points, item by item, decided exactly; the border belongs to a polygon."""
 
 class Program:
     """The operations of a function, in the order in which they are carried out."""
@@ -1843,10 +1851,11 @@ class _adjoint_transposed(Verb):
 adjoint_transposed: _adjoint_transposed
 
 class _alpha_iou(Verb):
-    """The IoU of two axis-aligned boxes to the power three, its paper's choice.
+    """The IoU of two boxes to a power.
 
     Rows:
         alpha_iou(a: Aabb3, b: Aabb3) -> number
+            The IoU of two axis-aligned boxes to the power three, its paper's choice.
         alpha_iou(a: YawBox3, b: YawBox3) -> number
             The IoU of two upright boxes to the power three, its paper's choice.
         alpha_iou(a: Aabb2, b: Aabb2, power: Exponent) -> number
@@ -1869,10 +1878,11 @@ class _alpha_iou(Verb):
 alpha_iou: _alpha_iou
 
 class _angle(Verb):
-    """The angle in radians between two rotations, 0 to π.
+    """The angle between two rotations or vectors, in radians.
 
     Rows:
         angle(a: Rotation3, b: Rotation3) -> number
+            The angle in radians between two rotations, 0 to π.
         angle(a: Vec3, b: Vec3) -> number
             The angle in radians between two points, 0 to π.
     """
@@ -1887,10 +1897,11 @@ class _angle(Verb):
 angle: _angle
 
 class _area(Verb):
-    """The area of an axis-aligned box.
+    """The area of shapes of the plane.
 
     Rows:
         area(shape: Aabb2) -> number
+            The area of an axis-aligned box.
         area(shape: Capsule2) -> number
             The area of a capsule.
         area(shape: Circle) -> number
@@ -1965,10 +1976,11 @@ class _bhattacharyya(Verb):
 bhattacharyya: _bhattacharyya
 
 class _centroid(Verb):
-    """The centre of the volume of a cone.
+    """The centre of the area, of the volume, or of points.
 
     Rows:
         centroid(shape: Cone) -> Vec3
+            The centre of the volume of a cone.
         centroid(shape: Tetrahedron) -> Vec3
             The centre of the volume of a tetrahedron.
         centroid(shape: Triangle2) -> Vec2
@@ -2003,11 +2015,13 @@ class _centroid(Verb):
 centroid: _centroid
 
 class _ciou(Verb):
-    """The complete IoU of two axis-aligned boxes. It takes the axis-aligned box around both.
+    """The complete IoU of two boxes: the distance IoU less a term of the proportions.
 
     Rows:
         ciou(a: Aabb2, b: Aabb2) -> number
+            The complete IoU of two axis-aligned boxes. It takes the axis-aligned box around both.
         ciou(a: Aabb3, b: Aabb3) -> number
+            The complete IoU of two axis-aligned boxes. It takes the axis-aligned box around both.
         ciou(a: Obb2, b: Obb2) -> number
             The complete IoU of two rotated boxes. It takes the convex hull of both.
         ciou(a: Obb3, b: Obb3) -> number
@@ -2114,11 +2128,13 @@ class _circumcircle(Verb):
 circumcircle: _circumcircle
 
 class _closest_points(Verb):
-    """The nearest points of two axis-aligned boxes. Points jump to another nearest feature.
+    """The nearest points of two shapes. They jump where another feature becomes the nearest.
 
     Rows:
         closest_points(a: Aabb2, b: Aabb2) -> PointPair
+            The nearest points of two axis-aligned boxes. Points jump to another nearest feature.
         closest_points(a: Aabb3, b: Aabb3) -> PointPair3
+            The nearest points of two axis-aligned boxes. Points jump to another nearest feature.
         closest_points(a: Capsule2, b: Capsule2) -> PointPair
             The nearest points of two capsules. Points jump to another nearest feature.
         closest_points(a: Capsule3, b: Capsule3) -> PointPair3
@@ -2207,10 +2223,11 @@ class _closest_points(Verb):
 closest_points: _closest_points
 
 class _convert(Verb):
-    """YOLO's box of an axis-aligned box.
+    """The same box in another convention, which `to` names where there are several.
 
     Rows:
         convert(shape: Aabb2) -> Cxcywh
+            YOLO's box of an axis-aligned box.
         convert(shape: Aabb2) -> Xywh
             COCO's box of an axis-aligned box.
         convert(shape: Cxcywh) -> Aabb2
@@ -2315,10 +2332,11 @@ class _corners(Verb):
 corners: _corners
 
 class _crossing(Verb):
-    """The crossing of two lines.
+    """The crossing of lines or planes.
 
     Rows:
         crossing(a: Line2, b: Line2) -> CommonPoint
+            The crossing of two lines.
         crossing(a: Plane3, b: Plane3) -> CommonLine3
             The line of two planes, the borders of two half-spaces.
         crossing(a: Plane3, b: Plane3, c: Plane3) -> CommonPoint3
@@ -2337,10 +2355,11 @@ class _crossing(Verb):
 crossing: _crossing
 
 class _depth(Verb):
-    """The depth of a point and an axis-aligned box, positive inside.
+    """The depth of a point in a shape: positive inside, negative outside.
 
     Rows:
         depth(point: Vec2, shape: Aabb2) -> number
+            The depth of a point and an axis-aligned box, positive inside.
         depth(point: Vec2, shape: Obb2) -> number
             The depth of a point and a rotated box, positive inside.
         depth(point: Vec2, paths: ring) -> number
@@ -2381,11 +2400,13 @@ class _diameter(Verb):
 diameter: _diameter
 
 class _diou(Verb):
-    """The distance IoU of two axis-aligned boxes. It takes the axis-aligned box around both.
+    """The distance IoU of two boxes: IoU less the squared distance of the centres, by the enclosing shape.
 
     Rows:
         diou(a: Aabb2, b: Aabb2) -> number
+            The distance IoU of two axis-aligned boxes. It takes the axis-aligned box around both.
         diou(a: Aabb3, b: Aabb3) -> number
+            The distance IoU of two axis-aligned boxes. It takes the axis-aligned box around both.
         diou(a: ConvexPolygon5, b: ConvexPolygon5) -> number
             The distance IoU of two convex polygons of up to N vertices. It takes the diameter of both together.
         diou(a: Obb2, b: Obb2) -> number
@@ -2464,13 +2485,15 @@ class _diou_rectangle(Verb):
 diou_rectangle: _diou_rectangle
 
 class _distance(Verb):
-    """The distance of two axis-aligned boxes.
+    """The distance of two shapes: 0 where they meet. That of a ring is from its edges, also inside.
 
     Rows:
         distance(a: Aabb2, b: Aabb2) -> number
+            The distance of two axis-aligned boxes.
         distance(shape: Aabb2, point: Vec2) -> number
             The distance of an axis-aligned box and a point.
         distance(a: Aabb3, b: Aabb3) -> number
+            The distance of two axis-aligned boxes.
         distance(shape: Aabb3, point: Vec3) -> number
             The distance of an axis-aligned box and a point.
         distance(a: Capsule2, b: Capsule2) -> number
@@ -2633,6 +2656,10 @@ class _distance(Verb):
             The distance of two numbers.
         distance(point: Vec2, polygons: Polygons) -> number
             The distance of points from the area of polygons: 0 inside, with derivative zero.
+        distance(a: Polygons, b: Polygons) -> number
+            The distance of two polygons: 0 where they meet, with derivative zero.
+        distance(shape: Aabb2, Capsule2, Circle, Obb2, Segment2, Triangle2 or Vec2x4, polygons: Polygons) -> number
+            The same of a shape.
     """
     @overload
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -2803,17 +2830,25 @@ class _distance(Verb):
     @overload
     def __call__(self, point: Union[Vec2, Array], polygons: Polygons, /) -> Array: ...
     @overload
+    def __call__(self, a: Polygons, b: Polygons, /) -> Array: ...
+    @overload
+    def __call__(self, shape: Union[Aabb2, Capsule2, Circle, Obb2, Segment2, Triangle2, Vec2x4], polygons: Polygons, /) -> Array: ...
+    @overload
+    def __call__(self, polygons: Polygons, shape: Union[Aabb2, Capsule2, Circle, Obb2, Segment2, Triangle2, Vec2x4], /) -> Array: ...
+    @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
     def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 distance: _distance
 
 class _eiou(Verb):
-    """The efficient IoU of two axis-aligned boxes. It takes the axis-aligned box around both.
+    """The efficient IoU of two boxes: the distance IoU less terms of both sizes.
 
     Rows:
         eiou(a: Aabb2, b: Aabb2) -> number
+            The efficient IoU of two axis-aligned boxes. It takes the axis-aligned box around both.
         eiou(a: Aabb3, b: Aabb3) -> number
+            The efficient IoU of two axis-aligned boxes. It takes the axis-aligned box around both.
         eiou(a: Obb2, b: Obb2) -> number
             The efficient IoU of two rotated boxes. It takes the convex hull of both.
         eiou(a: Obb3, b: Obb3) -> number
@@ -2888,11 +2923,13 @@ class _eiou_rectangle(Verb):
 eiou_rectangle: _eiou_rectangle
 
 class _farthest_distance(Verb):
-    """The longest distance of two axis-aligned boxes.
+    """The longest distance of a point of one shape from a point of another one.
 
     Rows:
         farthest_distance(a: Aabb2, b: Aabb2) -> number
+            The longest distance of two axis-aligned boxes.
         farthest_distance(a: Aabb3, b: Aabb3) -> number
+            The longest distance of two axis-aligned boxes.
         farthest_distance(a: Capsule3, b: Capsule3) -> number
             The longest distance of two capsules of space.
         farthest_distance(circle: Circle, shape: Obb2) -> number
@@ -2937,10 +2974,11 @@ class _farthest_distance(Verb):
 farthest_distance: _farthest_distance
 
 class _first_hit(Verb):
-    """The first hit of a ray and an axis-aligned box.
+    """The first hit of a ray and a shape: how far along the ray, where, and the normal there.
 
     Rows:
         first_hit(ray: Ray2, shape: Aabb2) -> Hit
+            The first hit of a ray and an axis-aligned box.
         first_hit(ray: Ray2, capsule: Capsule2) -> Hit
             The first hit of a ray and a capsule.
         first_hit(ray: Ray2, circle: Circle) -> Hit
@@ -3075,11 +3113,13 @@ class _from_twist(Verb):
 from_twist: _from_twist
 
 class _giou(Verb):
-    """The generalised IoU of two axis-aligned boxes. It takes the axis-aligned box around both.
+    """The generalised IoU of two shapes: IoU less the share of the enclosing shape that neither covers.
 
     Rows:
         giou(a: Aabb2, b: Aabb2) -> number
+            The generalised IoU of two axis-aligned boxes. It takes the axis-aligned box around both.
         giou(a: Aabb3, b: Aabb3) -> number
+            The generalised IoU of two axis-aligned boxes. It takes the axis-aligned box around both.
         giou(a: ConvexPolygon5, b: ConvexPolygon5) -> number
             The generalised IoU of two convex polygons of up to N vertices. It takes the convex hull of both.
         giou(a: Obb2, b: Obb2) -> number
@@ -3158,10 +3198,11 @@ class _giou_rectangle(Verb):
 giou_rectangle: _giou_rectangle
 
 class _hull_area(Verb):
-    """The area of the convex hull of two axis-aligned boxes.
+    """The area of the convex hull of two shapes.
 
     Rows:
         hull_area(a: Aabb2, b: Aabb2) -> number
+            The area of the convex hull of two axis-aligned boxes.
         hull_area(a: ConvexPolygon5, b: ConvexPolygon5) -> number
             The area of the joint hull of two convex polygons of up to N vertices.
         hull_area(a: Obb2, b: Obb2) -> number
@@ -3194,10 +3235,11 @@ class _incircle(Verb):
 incircle: _incircle
 
 class _inertia(Verb):
-    """The inertia of a capsule of space about its centroid, by unit density.
+    """The inertia of a body about its centroid, by unit density.
 
     Rows:
         inertia(shape: Capsule3) -> Symmetric3
+            The inertia of a capsule of space about its centroid, by unit density.
         inertia(shape: Cone) -> Symmetric3
             The inertia of a cone about its centroid, by unit density.
         inertia(shape: Cylinder) -> Symmetric3
@@ -3232,10 +3274,11 @@ class _inertia(Verb):
 inertia: _inertia
 
 class _interpolate(Verb):
-    """The pose a share of the way to another one. It jumps at half turns.
+    """The pose or rotation a share of the way to another one. It jumps at half turns.
 
     Rows:
         interpolate(a: Pose3, b: Pose3, share: number) -> Pose3
+            The pose a share of the way to another one. It jumps at half turns.
         interpolate(a: Rotation3, b: Rotation3, share: number) -> Rotation3
             The rotation a share of the way to another one, along the shorter arc. It jumps at half turns.
     """
@@ -3250,10 +3293,11 @@ class _interpolate(Verb):
 interpolate: _interpolate
 
 class _intersection_area(Verb):
-    """Area that two axis-aligned boxes share.
+    """The area that two shapes share.
 
     Rows:
         intersection_area(a: Aabb2, b: Aabb2) -> number
+            Area that two axis-aligned boxes share.
         intersection_area(a: ConvexPolygon5, b: ConvexPolygon5) -> number
             The area that two convex polygons of up to N vertices share.
         intersection_area(a: Obb2, b: Obb2) -> number
@@ -3294,10 +3338,11 @@ class _intersection_length(Verb):
 intersection_length: _intersection_length
 
 class _intersection_volume(Verb):
-    """Volume that two axis-aligned boxes share.
+    """The volume that two boxes share.
 
     Rows:
         intersection_volume(a: Aabb3, b: Aabb3) -> number
+            Volume that two axis-aligned boxes share.
         intersection_volume(a: Aabb3, b: Obb3) -> number
             Volume that an axis-aligned box and a box of any orientation share.
         intersection_volume(a: Aabb3, b: YawBox3) -> number
@@ -3340,10 +3385,11 @@ class _intersection_volume(Verb):
 intersection_volume: _intersection_volume
 
 class _inverse(Verb):
-    """The pose of the plane back. Its cosine and sine count by their direction alone.
+    """The pose or rotation back.
 
     Rows:
         inverse(pose: Pose2) -> Pose2
+            The pose of the plane back. Its cosine and sine count by their direction alone.
         inverse(pose: Pose3) -> Pose3
             The pose that moves back.
         inverse(rotation: Rotation3) -> Rotation3
@@ -3362,11 +3408,13 @@ class _inverse(Verb):
 inverse: _inverse
 
 class _iof(Verb):
-    """The part of the first of two axis-aligned boxes that lies in the second, 0 to 1.
+    """The part of the first shape that lies in the second, 0 to 1.
 
     Rows:
         iof(a: Aabb2, b: Aabb2) -> number
+            The part of the first of two axis-aligned boxes that lies in the second, 0 to 1.
         iof(a: Aabb3, b: Aabb3) -> number
+            The part of the first of two axis-aligned boxes that lies in the second, 0 to 1.
         iof(a: Aabb3, b: Obb3) -> number
             The part of the first of an axis-aligned box and a box of any orientation that lies in the second, 0 to 1.
         iof(a: Aabb3, b: YawBox3) -> number
@@ -3423,11 +3471,13 @@ class _iof(Verb):
 iof: _iof
 
 class _iou(Verb):
-    """Intersection over union of two axis-aligned boxes, 0 to 1.
+    """Intersection over union of two shapes, 0 to 1.
 
     Rows:
         iou(a: Aabb2, b: Aabb2) -> number
+            Intersection over union of two axis-aligned boxes, 0 to 1.
         iou(a: Aabb3, b: Aabb3) -> number
+            Intersection over union of two axis-aligned boxes, 0 to 1.
         iou(a: Aabb3, b: Obb3) -> number
             Intersection over union of an axis-aligned box and a box of any orientation, 0 to 1.
         iou(a: Aabb3, b: YawBox3) -> number
@@ -3584,10 +3634,11 @@ class _left_jacobian_inverse(Verb):
 left_jacobian_inverse: _left_jacobian_inverse
 
 class _length(Verb):
-    """The length of a polyline: the sum of the distances of neighbouring vertices.
+    """The length of paths.
 
     Rows:
         length(paths: polyline) -> number
+            The length of a polyline: the sum of the distances of neighbouring vertices.
         length(paths: polyline3) -> number
             The length of a polyline of space: the sum of the distances of neighbouring vertices. Edges of length zero have derivative zero.
         length(polygons: Polygons) -> number
@@ -3604,10 +3655,11 @@ class _length(Verb):
 length: _length
 
 class _length_inside(Verb):
-    """The length inside of a segment and an axis-aligned box.
+    """The length of a segment that is inside of a shape.
 
     Rows:
         length_inside(segment: Segment2, shape: Aabb2) -> number
+            The length inside of a segment and an axis-aligned box.
         length_inside(segment: Segment2, capsule: Capsule2) -> number
             The length inside of a segment and a capsule.
         length_inside(segment: Segment2, circle: Circle) -> number
@@ -3688,10 +3740,11 @@ class _meeting(Verb):
 meeting: _meeting
 
 class _minimum_circle(Verb):
-    """The smallest circle around a convex polygon of up to N vertices.
+    """The smallest circle around points.
 
     Rows:
         minimum_circle(polygon: ConvexPolygon6) -> Circle
+            The smallest circle around a convex polygon of up to N vertices.
         minimum_circle(points: Paths or Polygons) -> Circle
             The smallest circle around each set of points; NaN for a set without points.
     """
@@ -3706,10 +3759,11 @@ class _minimum_circle(Verb):
 minimum_circle: _minimum_circle
 
 class _minimum_rectangle(Verb):
-    """The rectangle of least area around a convex polygon of up to N vertices. It jumps where another edge carries a smaller one.
+    """The rectangle of least area around points.
 
     Rows:
         minimum_rectangle(polygon: ConvexPolygon6) -> Obb2
+            The rectangle of least area around a convex polygon of up to N vertices. It jumps where another edge carries a smaller one.
         minimum_rectangle(points: Paths or Polygons) -> Obb2
             The rectangle of least area around each set of points; NaN for points on a line.
     """
@@ -3724,10 +3778,11 @@ class _minimum_rectangle(Verb):
 minimum_rectangle: _minimum_rectangle
 
 class _move(Verb):
-    """A capsule, moved by a pose.
+    """Shapes, moved by poses.
 
     Rows:
         move(pose: Pose2, shape: Capsule2) -> Capsule2
+            A capsule, moved by a pose.
         move(pose: Pose2, shape: Circle) -> Circle
             A circle, moved by a pose.
         move(pose: Pose2, shape: Line2) -> Line2
@@ -3848,11 +3903,13 @@ class _nearest_rotation(Verb):
 nearest_rotation: _nearest_rotation
 
 class _penetration(Verb):
-    """The depth of overlap and its direction of two axis-aligned boxes. The direction jumps to another deepest face.
+    """The depth of overlap of two shapes, and its direction, which jumps to another deepest face.
 
     Rows:
         penetration(a: Aabb2, b: Aabb2) -> Contact
+            The depth of overlap and its direction of two axis-aligned boxes. The direction jumps to another deepest face.
         penetration(a: Aabb3, b: Aabb3) -> Contact3
+            The depth of overlap and its direction of two axis-aligned boxes. The direction jumps to another deepest face.
         penetration(a: Capsule2, b: Capsule2) -> Contact
             The depth of overlap and its direction of two capsules. The direction jumps to another deepest face.
         penetration(a: Capsule3, b: Capsule3) -> Contact3
@@ -3913,10 +3970,11 @@ class _penetration(Verb):
 penetration: _penetration
 
 class _perimeter(Verb):
-    """The perimeter of a capsule.
+    """The length of the border of shapes of the plane.
 
     Rows:
         perimeter(shape: Capsule2) -> number
+            The perimeter of a capsule.
         perimeter(shape: Circle) -> number
             The perimeter of a circle.
         perimeter(polygon: ConvexPolygon6) -> number
@@ -3969,10 +4027,11 @@ class _probiou(Verb):
 probiou: _probiou
 
 class _project(Verb):
-    """The image of a point of a camera's frame, in pixels. Points that it does not see have one, too; sees tells. The camera has radial and tangential distortion: BrownConrady.
+    """The image of a point of a camera's frame, in pixels; `sees` tells which are valid.
 
     Rows:
         project(point: Vec3, camera: BrownConrady) -> Vec2
+            The image of a point of a camera's frame, in pixels. Points that it does not see have one, too; sees tells. The camera has radial and tangential distortion: BrownConrady.
         project(point: Vec3, camera: Fisheye) -> Vec2
             The image of a point of a camera's frame, in pixels. Points that it does not see have one, too; sees tells. The camera sees by the angle to its axis: Fisheye.
         project(point: Vec3, camera: Pinhole) -> Vec2
@@ -4051,10 +4110,11 @@ class _rotation_vector(Verb):
 rotation_vector: _rotation_vector
 
 class _second_moments(Verb):
-    """The covariance of points of space, divided by their number; zero without points.
+    """The second moments of areas or of points.
 
     Rows:
         second_moments(paths: cloud3) -> Symmetric3
+            The covariance of points of space, divided by their number; zero without points.
         second_moments(paths: ring) -> AreaMoments
             The second moments of a ring's area about its centroid.
     """
@@ -4069,10 +4129,11 @@ class _second_moments(Verb):
 second_moments: _second_moments
 
 class _separation_aware(Verb):
-    """The IoU with a term for separation of two axis-aligned boxes.
+    """The IoU of two boxes with a term for their separation.
 
     Rows:
         separation_aware(a: Aabb3, b: Aabb3) -> number
+            The IoU with a term for separation of two axis-aligned boxes.
         separation_aware(a: Obb2, b: Obb2) -> number
             The IoU with a term for separation of two rotated boxes.
         separation_aware(a: Obb3, b: Obb3) -> number
@@ -4095,10 +4156,11 @@ class _separation_aware(Verb):
 separation_aware: _separation_aware
 
 class _signed_area(Verb):
-    """The signed area of a triangle.
+    """The signed area of shapes of the plane: positive for counter-clockwise corners.
 
     Rows:
         signed_area(shape: Triangle2) -> number
+            The signed area of a triangle.
         signed_area(ring: Vec2x4) -> number
             The signed area of four vertices.
         signed_area(paths: ring) -> number
@@ -4117,13 +4179,15 @@ class _signed_area(Verb):
 signed_area: _signed_area
 
 class _signed_distance(Verb):
-    """The signed distance of two axis-aligned boxes.
+    """The signed distance of two shapes: negative where they overlap, by how deep.
 
     Rows:
         signed_distance(a: Aabb2, b: Aabb2) -> number
+            The signed distance of two axis-aligned boxes.
         signed_distance(shape: Aabb2, point: Vec2) -> number
             The signed distance of an axis-aligned box and a point.
         signed_distance(a: Aabb3, b: Aabb3) -> number
+            The signed distance of two axis-aligned boxes.
         signed_distance(shape: Aabb3, point: Vec3) -> number
             The signed distance of an axis-aligned box and a point.
         signed_distance(a: Capsule2, b: Capsule2) -> number
@@ -4426,10 +4490,11 @@ class _signed_distance(Verb):
 signed_distance: _signed_distance
 
 class _span(Verb):
-    """The parameters of entry and exit of a line and an axis-aligned box.
+    """The parameters of entry and exit of a line and a shape.
 
     Rows:
         span(line: Line2, shape: Aabb2) -> Chord
+            The parameters of entry and exit of a line and an axis-aligned box.
         span(line: Line2, capsule: Capsule2) -> Chord
             The parameters of entry and exit of a line and a capsule.
         span(line: Line2, circle: Circle) -> Chord
@@ -4498,11 +4563,13 @@ class _squared_angle(Verb):
 squared_angle: _squared_angle
 
 class _squared_distance(Verb):
-    """The squared distance of two axis-aligned boxes.
+    """The squared distance of two shapes.
 
     Rows:
         squared_distance(a: Aabb2, b: Aabb2) -> number
+            The squared distance of two axis-aligned boxes.
         squared_distance(a: Aabb3, b: Aabb3) -> number
+            The squared distance of two axis-aligned boxes.
         squared_distance(a: Obb2, b: Obb2) -> number
             The squared distance of two rotated boxes.
         squared_distance(a: Obb3, b: Obb3) -> number
@@ -4573,10 +4640,11 @@ class _squared_wasserstein(Verb):
 squared_wasserstein: _squared_wasserstein
 
 class _surface(Verb):
-    """The area of the surface of an axis-aligned box.
+    """The area of the surface of bodies.
 
     Rows:
         surface(shape: Aabb3) -> number
+            The area of the surface of an axis-aligned box.
         surface(shape: Capsule3) -> number
             The area of the surface of a capsule of space.
         surface(shape: Cone) -> number
@@ -4665,10 +4733,11 @@ class _twist(Verb):
 twist: _twist
 
 class _volume(Verb):
-    """The volume of an axis-aligned box.
+    """The volume of bodies.
 
     Rows:
         volume(shape: Aabb3) -> number
+            The volume of an axis-aligned box.
         volume(shape: Capsule3) -> number
             The volume of a capsule of space.
         volume(shape: Cone) -> number

@@ -16,9 +16,16 @@ def is_geometry(x):
 
 
 def _ring(ring, place):
-    own = np.asarray(ring)
-    if own.ndim != 2 or own.shape[1] != 2 or own.dtype.kind not in "fiu":
-        raise ValueError(f"polygon {place}: a ring has vertices of shape {own.shape}, not (V, 2)")
+    """The vertices of a ring; the place names its polygon, part and ring."""
+    try:
+        own = np.asarray(ring)
+    except ValueError as error:
+        raise ValueError(f"{place}: vertices of one length are needed: {error}") from None
+    if own.ndim != 2 or own.shape[1] != 2:
+        raise ValueError(f"{place}: vertices of shape (V, 2) are needed, not {own.shape}")
+    if own.dtype.kind not in "fiu":
+        wrong = next((k for k, vertex in enumerate(ring) if np.asarray(list(vertex)).dtype.kind not in "fiu"), 0)
+        raise ValueError(f"{place}: vertex {wrong} is {ring[wrong]!r}, and two numbers are needed")
     is_closed = len(own) > 3 and (own[0] == own[-1]).all()
     return own[:-1] if is_closed else own
 
@@ -26,6 +33,8 @@ def _ring(ring, place):
 def parts_of(item, place):
     """The rings of every part of an item of a list."""
     depth, inner = 0, item
+    if item is None or isinstance(item, (str, bytes)):
+        raise TypeError(f"polygon {place}: a ring, a list of rings, or a geometry is needed, not {item!r}")
     while not np.isscalar(inner) and getattr(inner, "ndim", 1):
         if len(inner) == 0:
             if depth > 0:
@@ -35,10 +44,11 @@ def parts_of(item, place):
     nested = {2: [[item]], 3: [item], 4: item}.get(depth)
     if nested is None:
         raise ValueError(f"polygon {place}: a ring of shape (V, 2), a list of rings, or a list of lists of rings is needed")
-    return [[_ring(ring, place) for ring in part] for part in nested]
+    name = lambda k, j: f"polygon {place}: " + (f"part {k}: " if len(nested) > 1 else "") + f"ring {j}"
+    return [[_ring(ring, name(k, j)) for j, ring in enumerate(part)] for k, part in enumerate(nested)]
 
 
-def of_corners(cls, shape):
+def corners_of(cls, shape):
     """Polygons of the corners of shapes."""
     import geograd
 

@@ -45,16 +45,16 @@ def _along(node, active, xs):
     return [*xs[:count], *zeros]
 
 
-class _Kind:
+class Kind:
     """A primitive: what it computes on the host, and what its results look like."""
 
-    def __init__(self, name, host):
+    def __init__(self, name, host, shapes):
         self.primitive = primitive = Primitive(name)
         primitive.multiple_results = True
-        self.host = host
+        self.host, self.shapes = host, shapes
         primitive.def_impl(lambda *xs, **of: [jnp.asarray(x) for x in host(xs, **of)])
         primitive.def_abstract_eval(
-            lambda *xs, node, **_: [jax.core.ShapedArray(one.shape, one.dtype) for one in _shapes(node, xs)]
+            lambda *xs, **of: [jax.core.ShapedArray(one.shape, one.dtype) for one in shapes(xs, **of)]
         )
         mlir.register_lowering(primitive, mlir.lower_fun(self._called, multiple_results=True))
         batching.primitive_batchers[primitive] = self._batched
@@ -64,7 +64,7 @@ class _Kind:
 
     def _called(self, *xs, **of):
         host = functools.partial(_tuple, self.host, tuple(of.items()))
-        return jax.pure_callback(host, tuple(_shapes(of["node"], xs)), *xs, vmap_method="broadcast_all")
+        return jax.pure_callback(host, tuple(self.shapes(xs, **of)), *xs, vmap_method="broadcast_all")
 
     def _batched(self, xs, axes, **of):
         size = next(x.shape[axis] for x, axis in zip(xs, axes) if axis is not None)
@@ -80,16 +80,16 @@ def _tuple(host, of, *xs):
     return tuple(host(xs, **dict(of)))
 
 
-def _shapes(node, xs):
+def _shapes(xs, node, **_):
     lead = xs[0].shape[:-1] if node.takes[0][2] else xs[0].shape
     return [jax.ShapeDtypeStruct(_nodes.size(lead, width), xs[0].dtype) for width in node.gives]
 
 
 #: The results of a node.
-_CALL = _Kind("geograd_call", lambda xs, node: _computed(node, xs))
+_CALL = Kind("geograd_call", lambda xs, node: _computed(node, xs), _shapes)
 #: The derivatives of its results along directions of the arguments that are active, which follow the arguments.
-_PUSH = _Kind(
-    "geograd_push", lambda xs, node, active: _computed(node.jvp(), _along(node, active, xs))[len(node.gives) :]
+_PUSH = Kind(
+    "geograd_push", lambda xs, node, active: _computed(node.jvp(), _along(node, active, xs))[len(node.gives) :], _shapes
 )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import geograd
-from geograd import _jax, _nodes
+from geograd import _jax, _jax_columns, _nodes
 
 
 class Verb:
@@ -26,6 +26,8 @@ class Verb:
         return (_verb, (self.__name__,))
 
     def __call__(self, *arguments, kind=None, to=None):
+        if any(isinstance(x, _jax_columns.ANY) for x in arguments):
+            return _jax_columns.run(self.__name__, arguments, kind)
         return _jax.applied(_nodes.of_verb(self.__name__, kind, len(arguments), to), arguments)
 
     def all_pairs(self, a, b, *, kind=None):

@@ -4,16 +4,18 @@ from typing import Any, Generic, Sequence, Type, TypeVar, Union
 import jax
 from jax.typing import ArrayLike
 
-from geograd import Shape
+from geograd import Paths as _Paths, Polygons as _Polygons, Shape
+from geograd._jax_columns import Column
 
 Kind = Union[str, Type[Shape], None, Sequence[Union[str, Type[Shape], None]]]
+_Column = Union[Column, _Polygons, _Paths]
 _Result = TypeVar("_Result", covariant=True)
 
 class Verb(Generic[_Result]):
     """A verb on JAX's arrays, with derivatives of any order."""
     __name__: str
     def __init__(self, name: str) -> None: ...
-    def __call__(self, *arguments: ArrayLike, kind: Kind = ..., to: Kind = ...) -> _Result: ...
+    def __call__(self, *arguments: Union[ArrayLike, _Column], kind: Kind = ..., to: Kind = ...) -> _Result: ...
     def all_pairs(self, a: ArrayLike, b: ArrayLike, *, kind: Kind = ...) -> jax.Array: ...
 
 __all__ = ["adjoint", "adjoint_transposed", "alpha_iou", "angle", "area", "axes", "bhattacharyya", "centroid", "ciou", "ciou_aabb", "ciou_fixed_weight", "ciou_hull", "ciou_rectangle", "circumcircle", "closest_points", "convert", "corners", "crossing", "depth", "diameter", "diou", "diou_aabb", "diou_hull", "diou_rectangle", "distance", "eiou", "eiou_aabb", "eiou_hull", "eiou_rectangle", "farthest_distance", "first_hit", "flip_y", "from_6d", "from_rotation_vector", "from_twist", "giou", "giou_aabb", "giou_hull", "giou_rectangle", "hull_area", "incircle", "inertia", "interpolate", "intersection_area", "intersection_length", "intersection_volume", "inverse", "iof", "iou", "iou_bev", "jeffreys", "kfiou", "kullback_leibler", "left_jacobian", "left_jacobian_inverse", "length", "length_inside", "meeting", "minimum_circle", "minimum_rectangle", "move", "nearest_rotation", "penetration", "perimeter", "probiou", "project", "retract", "right_jacobian", "right_jacobian_inverse", "rotation_vector", "second_moments", "separation_aware", "signed_area", "signed_distance", "span", "squared_angle", "squared_distance", "squared_wasserstein", "surface", "tangent_to", "to_6d", "twist", "volume", "wasserstein", "width", "winding"]

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from . import _convert_polygons, _core, _points
+from . import _convert_polygons, _core, _points, _separation
 
 #: The verbs that take polygons: what each takes, and what it gives.
 VERBS = {
@@ -16,6 +16,13 @@ VERBS = {
     "length": ("polygons: Polygons", "number"),
     "perimeter": ("polygons: Polygons", "number"),
     "signed_distance": ("point: Vec2, polygons: Polygons", "number"),
+}
+#: Further rows of them: what each takes, and a summary.
+FURTHER = {
+    "distance": [
+        ("a: Polygons, b: Polygons", "The distance of two polygons: 0 where they meet, with derivative zero."),
+        ("shape: Aabb2, Capsule2, Circle, Obb2, Segment2, Triangle2 or Vec2x4, polygons: Polygons", "The same of a shape."),
+    ]
 }
 SUMMARIES = {
     "area": "The area of polygons: holes do not count.",
@@ -81,7 +88,7 @@ class Polygons(_core.Polygons):
         if isinstance(polygons, _core.Paths):
             return cls(polygons.vertices, (polygons.offsets,))
         if isinstance(polygons, _core.Shape):
-            return _convert_polygons.of_corners(cls, polygons)
+            return _convert_polygons.corners_of(cls, polygons)
         if _convert_polygons.is_geometry(polygons):
             return cls.from_shapely(polygons)
         items = list(polygons)
@@ -311,8 +318,11 @@ def _overlap(verb, form, a, b, upstream=None):
 
 def _distance(verb, form, first, second, upstream=None, fill="even_odd"):
     is_turned = isinstance(first, _core.Polygons)
-    if is_turned and isinstance(second, _core.Polygons):
-        raise TypeError(f"geograd.{verb} of Polygons is that of points: it takes no two columns of polygons")
+    other = second if is_turned else first
+    if not _is_of_points(other):
+        if verb != "distance":
+            raise TypeError(f"geograd.{verb} of Polygons takes points beside them, not {type(other).__name__}: distance takes it")
+        return _separation.distance(form, first, second, upstream)
     points, polygons = (second, first) if is_turned else (first, second)
     points = _spots(points, polygons)
     sign = -1 if verb == "depth" else 1
@@ -324,8 +334,17 @@ def _distance(verb, form, first, second, upstream=None, fill="even_odd"):
     return gradient if form == "vjp" else (sign * value, gradient)
 
 
+def _is_of_points(x):
+    """Whether an argument is points: vectors, an array or lists of numbers."""
+    import geograd
+
+    return not isinstance(x, (_core.Polygons, _core.Paths, _core.Shape)) and not _convert_polygons.is_geometry(x) or (
+        isinstance(x, geograd.Vec2)
+    )
+
+
 def contains(polygons, points, *, fill="even_odd"):
-    """Whether polygons contain points, item by item, decided exactly; the border belongs to a polygon.
+    """Says whether polygons contain points, item by item, decided exactly; the border belongs to a polygon.
 
     One polygon may stand for all points, and one point for all polygons. ``fill`` says which points are inside:
     ``"even_odd"``, those that an odd number of rings enclose, or ``"nonzero"``, those with a winding number other than

@@ -4,30 +4,60 @@ from __future__ import annotations
 
 import numpy as np
 import torch
-from torch.autograd.function import once_differentiable
 
 import geograd
-from geograd import _core, _polygons
+from geograd import _columns, _core, _formulas, _polygons
 
 
-class Polygons:
+def _checked(cls, vertices):
+    """The array of a tensor of vertices."""
+    name = f"geograd.torch.{cls.__name__}"
+    if not isinstance(vertices, torch.Tensor) or not vertices.is_floating_point():
+        raise TypeError("vertices: a tensor of float32 or float64 is needed")
+    if vertices.device.type != "cpu":
+        raise TypeError(f"{name} computes on the CPU, and a tensor is on {vertices.device}: move it with .cpu()")
+    if vertices.dtype not in (torch.float32, torch.float64):
+        raise TypeError(f"{name} takes float32 and float64, not {vertices.dtype}: convert with .float()")
+    return vertices.detach().contiguous().numpy()
+
+
+class Column:
+    """What columns of tensors have in common: a column of arrays beside the tensor."""
+
+    @property
+    def layout(self):
+        """Where its items are among the vertices."""
+        return _columns.Layout.of(self.column)
+
+    @property
+    def offsets(self):
+        """Where each item starts: of polygons the rings, the parts and the polygons."""
+        return self.column.offsets
+
+    def detach(self):
+        """The column without derivatives, of arrays."""
+        return self.column
+
+    def __len__(self):
+        return len(self.column)
+
+    def __repr__(self):
+        return f"<geograd.torch.{repr(self.column)[1:]}"
+
+
+class Polygons(Column):
     """A column of polygons whose vertices are a tensor, of shape (V, 2): :class:`geograd.Polygons` in torch.
 
     ``offsets`` are those of :class:`geograd.Polygons`, or such a column, of which the rings, parts and polygons are taken.
-    Operations are differentiable by the vertices, once. They run on the CPU.
+    Numbers of polygons (areas, overlaps, distances) have derivatives of any order by the vertices; the vertices of a boolean
+    operation have first ones. They run on the CPU.
 
     >>> squares = geograd.torch.Polygons.rings(torch.rand(8, 5, 2, requires_grad=True))
     >>> geograd.torch.area(squares).sum().backward()
     """
 
     def __init__(self, vertices, offsets):
-        if not isinstance(vertices, torch.Tensor) or not vertices.is_floating_point():
-            raise TypeError("vertices: a tensor of float32 or float64 is needed")
-        if vertices.device.type != "cpu":
-            raise TypeError(f"geograd.torch.Polygons computes on the CPU, and a tensor is on {vertices.device}: move it with .cpu()")
-        if vertices.dtype not in (torch.float32, torch.float64):
-            raise TypeError(f"geograd.torch.Polygons takes float32 and float64, not {vertices.dtype}: convert with .float()")
-        array = vertices.detach().contiguous().numpy()
+        array = _checked(type(self), vertices)
         if isinstance(offsets, _core.Polygons):
             if vertices.dim() != 2 or vertices.shape[1] != 2:
                 raise ValueError(f"vertices: a tensor of shape (V, 2) is needed, not {tuple(vertices.shape)}")
@@ -50,20 +80,52 @@ class Polygons:
         count, size, _ = vertices.shape
         return cls(vertices.reshape(-1, 2), (np.arange(count + 1) * size,))
 
-    @property
-    def offsets(self):
-        """Where each ring starts among the vertices, each part among the rings, each polygon among the parts."""
-        return self.column.offsets
 
-    def detach(self):
-        """The column without derivatives, a :class:`geograd.Polygons`."""
-        return self.column
+class Paths(Column):
+    """Paths whose vertices are a tensor, of shape (V, 2) or, for those of space, (V, 3): :class:`geograd.Paths` in torch.
 
-    def __len__(self):
-        return len(self.column)
+    ``offsets`` say where each path starts among the vertices; the last one is the number of vertices, or they are a column of
+    :mod:`geograd`, whose paths are taken.
 
-    def __repr__(self):
-        return f"<geograd.torch.{repr(self.column)[1:]}"
+    >>> rings = geograd.torch.Rings(torch.rand(7, 2, requires_grad=True), [0, 3, 7])
+    >>> geograd.torch.signed_distance(torch.zeros(2, 2), rings).sum().backward()
+    """
+
+    _column = geograd.Paths
+
+    def __init__(self, vertices, offsets):
+        array = _checked(type(self), vertices)
+        offsets = offsets.offsets if isinstance(offsets, _core.Paths) else offsets
+        self.column = self._column(array, np.asarray(offsets, np.int64))
+        self.vertices = vertices
+
+    @classmethod
+    def of(cls, paths, dtype=torch.float64, requires_grad=False):
+        """Paths of what the class of the same name in :mod:`geograd` takes: lists of vertices, or geometries."""
+        column = paths if isinstance(paths, _core.Paths) else cls._column.of(paths)
+        return cls(torch.tensor(column.vertices, dtype=dtype, requires_grad=requires_grad), column)
+
+
+class Rings(Paths):
+    """Closed paths: the last vertex of each is joined with its first one. See :class:`Paths`."""
+
+    _column = geograd.Rings
+
+
+class Polylines(Paths):
+    """Open paths, of the plane or of space. See :class:`Paths`."""
+
+    _column = geograd.Polylines
+
+
+class Clouds(Paths):
+    """Clouds of points of space, in any order. See :class:`Paths`."""
+
+    _column = geograd.Clouds
+
+
+#: Columns, of tensors and of arrays.
+ANY = (Polygons, Paths, _core.Polygons, _core.Paths)
 
 
 def _as_polygons(x, dtype=None):
@@ -90,86 +152,118 @@ def _array(bar):
     return np.ascontiguousarray(bar.detach().numpy())
 
 
-class _Measure(torch.autograd.Function):
-    @staticmethod
-    def forward(ctx, name, column, vertices):
-        ctx.name, ctx.column = name, column
-        return _tensor(_core.polygon_measure(name, column))
+class _Space:
+    """The functions of torch by which formulas are written."""
+
+    where, sqrt, cos, sin, stack = torch.where, torch.sqrt, torch.cos, torch.sin, torch.stack
 
     @staticmethod
-    @once_differentiable
+    def constant(x, like):
+        return torch.as_tensor(x, dtype=like.dtype)
+
+    @staticmethod
+    def whole(x):
+        return torch.as_tensor(x)
+
+    @staticmethod
+    def sums(values, places, count):
+        return values.new_zeros(count, *values.shape[1:]).index_add(0, torch.as_tensor(places), values)
+
+
+class _Called(torch.autograd.Function):
+    """A verb of columns and rows."""
+
+    @staticmethod
+    def forward(ctx, of, *xs):
+        ctx.of = of
+        ctx.save_for_backward(*xs)
+        return _tensor(of.value([_array(x) for x in xs]))
+
+    @staticmethod
     def backward(ctx, bar):
-        return None, None, _tensor(_core.polygon_measure(ctx.name, ctx.column, _array(bar)))
+        return None, *_Slope.apply(ctx.of, bar, *ctx.saved_tensors)
 
 
-class _Overlap(torch.autograd.Function):
-    @staticmethod
-    def forward(ctx, name, a, b, *vertices):
-        ctx.name, ctx.pair = name, (a, b)
-        return _tensor(_core.polygon_overlap(name, a, b))
+class _Slope(torch.autograd.Function):
+    """Its cotangents, which the library has, with their derivatives, which a formula has."""
 
     @staticmethod
-    @once_differentiable
-    def backward(ctx, bar):
-        _, (by_a, by_b) = _core.polygon_overlap(ctx.name, *ctx.pair, _array(bar))
-        return None, None, None, _tensor(by_a), _tensor(by_b)
-
-
-class _Distance(torch.autograd.Function):
-    @staticmethod
-    def forward(ctx, is_of_area, column, fill, points, vertices):
-        ctx.arguments = np.ascontiguousarray(points.detach().numpy()), column, fill, is_of_area
-        ctx.size = points.shape
-        return _tensor(_core.polygon_distance(*ctx.arguments))
+    def forward(ctx, of, bar, *xs):
+        ctx.of = of
+        ctx.save_for_backward(bar, *xs)
+        return tuple(map(_tensor, of.vjp([_array(x) for x in xs], _array(bar))))
 
     @staticmethod
-    @once_differentiable
-    def backward(ctx, bar):
-        _, (by_points, by_vertices) = _core.polygon_distance(*ctx.arguments, _array(bar))
-        return None, None, None, _tensor(by_points).reshape(ctx.size), _tensor(by_vertices)
+    def backward(ctx, *ups):
+        of = ctx.of
+        if not of.has_formula:
+            raise of.lacks_second()
+        has_graph = torch.is_grad_enabled()
+        bar, *xs = [x if has_graph and x.requires_grad else x.detach().requires_grad_() for x in ctx.saved_tensors]
+        given = [torch.as_tensor(own) for own in of.choices([_array(x) for x in xs])]
+        with torch.enable_grad():
+            value = _formulas.value(_Space, of, given, xs)
+            grads = torch.autograd.grad(value, xs, bar, create_graph=True, materialize_grads=True)
+            total = sum((grad * up).sum() for grad, up in zip(grads, ups))
+        return None, *torch.autograd.grad(total, [bar, *xs], create_graph=has_graph, materialize_grads=True)
 
 
 class _Overlay(torch.autograd.Function):
     @staticmethod
     def forward(ctx, record, made, *vertices):
         ctx.record = record
+        ctx.save_for_backward(*vertices)
         return torch.from_numpy(np.array(made.vertices))
 
     @staticmethod
-    @once_differentiable
     def backward(ctx, bar):
-        by_a, by_b = ctx.record.vjp(_array(bar))
-        return None, None, _tensor(by_a), _tensor(by_b)
+        return None, None, *_OverlaySlope.apply(ctx.record, bar, *ctx.saved_tensors)
+
+
+class _OverlaySlope(torch.autograd.Function):
+    """Its cotangents, which depend on the vertices in a way that the library does not differentiate."""
+
+    @staticmethod
+    def forward(ctx, record, bar, *vertices):
+        return tuple(map(_tensor, record.vjp(_array(bar))))
+
+    @staticmethod
+    def backward(ctx, *ups):
+        raise TypeError(
+            "the vertices of a boolean operation of polygons have no second derivatives, only first ones; "
+            "geograd.torch.intersection_area, union_area and iou have them"
+        )
 
 
 @torch.compiler.disable
-def run(verb, arguments):
-    """A verb of polygons on tensors."""
-    wanted = 1 if verb in _polygons.MEASURES else 2
-    if verb not in _polygons.VERBS and verb != "union_area":
-        raise TypeError(f"geograd.torch.{verb} takes no Polygons; they have {', '.join(_polygons.VERBS)}")
+def run(verb, arguments, kind=None):
+    """A verb of polygons or paths on tensors."""
+    columns = [x for x in arguments if isinstance(x, ANY)]
+    is_of_paths = any(isinstance(x, (Paths, _core.Paths)) for x in columns)
+    _columns.takes_columns(verb, is_of_paths)
+    wanted = 1 if verb in _columns.ALONE else 2
     if len(arguments) != wanted:
-        raise TypeError(f"geograd.torch.{verb} of Polygons takes {wanted} arguments, not {len(arguments)}")
-    if verb in _polygons.MEASURES:
-        own = _as_polygons(arguments[0])
-        return _Measure.apply(verb, own.column, own.vertices)
-    if verb in _polygons.DISTANCES:
-        return _distance(verb, *arguments)
-    a, b = _pair(*arguments)
-    return _Overlap.apply(verb, a.column, b.column, a.vertices, b.vertices)
+        raise TypeError(f"geograd.torch.{verb} of {type(columns[0]).__name__} takes {wanted} arguments, not {len(arguments)}")
+    if not is_of_paths and verb in _polygons.OVERLAPS:
+        arguments = [x if isinstance(x, Polygons) else geograd.Polygons.of(x) for x in arguments]
+    own = [x.vertices if isinstance(x, (Polygons, Paths)) else x for x in arguments]
+    found = {x.dtype for x in own if isinstance(x, torch.Tensor)}
+    dtype = torch.float32 if found == {torch.float32} else torch.float64
+    layouts, xs = zip(*[_given(verb, x, dtype, kind) for x in arguments])
+    return _Called.apply(_columns.Operation(verb, layouts), *xs)
 
 
-def _distance(verb, first, second):
-    polygons, points = (first, second) if isinstance(first, (Polygons, _core.Polygons)) else (second, first)
-    if not isinstance(points, torch.Tensor) or points.shape[-1:] != (2,) or points.dim() > 2:
-        raise TypeError(f"geograd.torch.{verb} of Polygons takes a tensor of points of shape (N, 2)")
-    is_single = points.dtype == torch.float32 and (
-        not isinstance(polygons, Polygons) or polygons.vertices.dtype == torch.float32
-    )
-    dtype = torch.float32 if is_single else torch.float64
-    own, points = _as_polygons(polygons, dtype), points.to(dtype).reshape(-1, 2)
-    found = _Distance.apply(verb == "distance", own.column, "even_odd", points, own.vertices)
-    return -found if verb == "depth" else found
+def _given(verb, x, dtype, kind):
+    """The layout and the tensor of an argument."""
+    if isinstance(x, (_core.Polygons, _core.Paths)):
+        return _columns.Layout.of(x), torch.tensor(x.vertices, dtype=dtype)
+    if isinstance(x, (Polygons, Paths)):
+        return x.layout, x.vertices.to(dtype)
+    if not isinstance(x, torch.Tensor) or x.dim() not in (1, 2):
+        given = type(x).__name__
+        raise TypeError(f"geograd.torch.{verb} of a column takes a tensor of points of shape (N, 2) beside it, not {given}")
+    x = x.to(dtype).reshape(-1, x.shape[-1])
+    return _columns.Rows(_columns.kind_of_rows(verb, kind, x.shape[1]), len(x)), x
 
 
 class Overlay:
@@ -192,8 +286,16 @@ class Overlay:
 
 
 OVERLAYS = {name: Overlay(name) for name in _polygons.OVERLAYS}
+globals().update(OVERLAYS)
 
 
 def union_area(a, b):
     """The area that two polygons cover together, item by item."""
     return run("union_area", (a, b))
+
+
+@torch.compiler.disable
+def contains(polygons, points, *, fill="even_odd"):
+    """Says whether polygons contain points, item by item, decided exactly: see :func:`geograd.contains`."""
+    polygons = polygons.column if isinstance(polygons, (Polygons, Paths)) else polygons
+    return torch.from_numpy(geograd.contains(polygons, _array(points) if isinstance(points, torch.Tensor) else points, fill=fill))

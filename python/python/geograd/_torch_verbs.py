@@ -7,7 +7,7 @@ import torch
 import geograd
 from geograd import _nodes, _torch, _torch_polygons
 
-_ANY_POLYGONS = (_torch_polygons.Polygons, geograd.Polygons)
+_COLUMNS = _torch_polygons.ANY
 
 
 class _Pairs(torch.autograd.Function):
@@ -69,8 +69,8 @@ class Verb:
         return (_verb, (self.__name__,))
 
     def __call__(self, *arguments, kind=None, to=None):
-        if any(isinstance(x, _ANY_POLYGONS) for x in arguments):
-            return _torch_polygons.run(self.__name__, arguments)
+        if any(isinstance(x, _COLUMNS) for x in arguments):
+            return _torch_polygons.run(self.__name__, arguments, kind)
         return _torch.of_verb(self.__name__, arguments, kind, to)
 
     def _two(self, form, a, b, kind):

@@ -3,18 +3,20 @@ from typing import Any, Generic, Optional, Sequence, Type, TypeVar, Union
 
 import torch
 
-from geograd import Shape
+from geograd import Paths as _Paths, Polygons as _Polygons, Shape
+from geograd._torch_polygons import Column
 
 Kind = Union[str, Type[Shape], None, Sequence[Union[str, Type[Shape], None]]]
 Argument = Union[torch.Tensor, float]
 Offsets = Union[torch.Tensor, Sequence[int], Any]
+_Column = Union[Column, _Polygons, _Paths]
 _Result = TypeVar("_Result", covariant=True)
 
 class Verb(Generic[_Result]):
     """A verb on tensors, with derivatives of any order."""
     __name__: str
     def __init__(self, name: str) -> None: ...
-    def __call__(self, *arguments: Argument, kind: Kind = ..., to: Kind = ...) -> _Result: ...
+    def __call__(self, *arguments: Union[Argument, _Column], kind: Kind = ..., to: Kind = ...) -> _Result: ...
     def all_pairs(self, a: torch.Tensor, b: torch.Tensor, *, kind: Kind = ...) -> torch.Tensor: ...
     def sum(self, a: torch.Tensor, b: torch.Tensor, *, kind: Kind = ...) -> torch.Tensor: ...
     def mean(self, a: torch.Tensor, b: torch.Tensor, *, kind: Kind = ...) -> torch.Tensor: ...

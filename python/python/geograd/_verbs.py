@@ -6,6 +6,7 @@ import numpy as np
 
 from . import _core, _points, _polygons
 from ._forms import Forms
+from ._headlines import HEADLINES
 
 
 def _call(*arguments, kind=None, to=None, out=None, backend=None):
@@ -60,17 +61,19 @@ def ordered(verb):
 def describe(verb):
     """The documentation of a verb: its rows, what they take and give."""
     rows = ordered(verb)
-    lines = [rows[0]["summary"], "", "Rows:"]
+    head = HEADLINES.get(verb, rows[0]["summary"])
+    lines = [head, "", "Rows:"]
     for row in rows:
         names = [name for name, _, _ in row["takes"]] + (["paths"] if row["sort"] == "fold" else [])
         takes = ", ".join(f"{name}: {kind}" for name, kind in zip(names, row["kinds"]))
         gives = ", ".join(_spelled(column) for column in row["gives"])
         lines.append(f"    {verb}({takes}) -> {gives}")
-        if row["summary"] != rows[0]["summary"]:
+        if row["summary"] != head:
             lines.append(f"        {row['summary']}")
     if verb in _polygons.VERBS:
         takes, gives = _polygons.VERBS[verb]
-        lines += [f"    {verb}({takes}) -> {gives}", f"        {_polygons.SUMMARIES[verb]}"]
+        for takes, summary in [(takes, _polygons.SUMMARIES[verb]), *_polygons.FURTHER.get(verb, [])]:
+            lines += [f"    {verb}({takes}) -> {gives}", f"        {summary}"]
     if verb in _points.VERBS:
         lines += [f"    {verb}(points: Paths or Polygons) -> {_points.VERBS[verb] or 'number'}", f"        {_points.SUMMARIES[verb]}"]
     return "\n".join(lines)

@@ -47,16 +47,17 @@ def largest(pairs: Pairs, groups: Groups = None) -> tuple[Any, Any, Any]:
     return found
 
 
-def optimal(gains):
+def optimal(gains: Any) -> tuple[Any, Any]:
     """Rows and columns of the one-to-one pairs with the largest sum of a matrix of gains, by row.
 
     As many pairs as the shorter side has, those with negative gains included: what
     ``scipy.optimize.linear_sum_assignment(gains, maximize=True)`` gives.
     """
-    return _core.assigned_matrix(np.ascontiguousarray(gains, np.float64))
+    found: tuple[Any, Any] = _core.assigned_matrix(np.ascontiguousarray(gains, np.float64))
+    return found
 
 
-def cheapest(costs, most=None):
+def cheapest(costs: Any, most: Optional[float] = None) -> tuple[Any, Any]:
     """Rows and columns of the one-to-one pairs with the smallest sum of a matrix of costs, by row.
 
     With ``most`` only pairs that cost less than it are joined: each saves ``most`` less its cost, and the sum of savings is

@@ -4,6 +4,9 @@
 ``geograd.jax.iou.all_pairs(a, b, kind="Obb2")`` gives a matrix. ``jit``, ``grad``, ``vmap``, forward mode (``jvp``,
 ``jacfwd``, ``hessian``) and derivatives of any order work; under ``jit`` the library runs in a callback on the host.
 
+:class:`Polygons` (with holes and parts), :class:`Rings`, :class:`Polylines` and :class:`Clouds` are columns, trees with one leaf:
+``geograd.jax.iou(polygons, others)`` and the other verbs of columns have derivatives by every vertex.
+
 Losses: ``loss("giou", a, b)``, and by their names ``iou_loss``, ``giou_loss``, ``diou_loss``, ``ciou_loss``, ``eiou_loss``,
 ``probiou_loss``, ``kfiou_loss``, ``gwd_loss``, ``kld_loss``.
 """
@@ -17,12 +20,13 @@ import jax.numpy as jnp
 import geograd
 from geograd import _jax, _nodes
 from geograd._function import Function, reduced
+from geograd._jax_columns import Clouds, Paths, Polygons, Polylines, Rings, contains, union_area
 from geograd._jax_verbs import *  # noqa: F403
 from geograd._jax_verbs import __all__ as _VERBS, Verb
 
 __all__ = [
     "function", "loss", "iou_loss", "giou_loss", "diou_loss", "ciou_loss", "eiou_loss", "probiou_loss", "kfiou_loss", "gwd_loss",
-    "kld_loss", "Verb", *_VERBS,
+    "kld_loss", "Clouds", "Paths", "Polygons", "Polylines", "Rings", "Verb", "contains", "union_area", *_VERBS,
 ]
 
 Reduction = Literal["mean", "sum", "none"]

@@ -49,6 +49,43 @@ def outcomes(
     return _core.outcomes(_numbers(scores), truths, *_pairs(pairs), float(threshold), *ignored, groups)
 
 
+def outcomes_voc(
+    scores: Any,
+    truths: int,
+    pairs: Pairs,
+    threshold: float,
+    *,
+    ignored_truths: Any = None,
+    ignored_detections: Any = None,
+) -> Any:
+    """The same as :func:`outcomes` by the rule of PASCAL VOC: a detection whose best truth is taken is wrong.
+
+    By descending score a detection takes the truth that it overlaps most, if by at least the threshold and if no other has
+    taken it; it takes no second-best one. It does not count where its best truth is ignored.
+    """
+    scores = _numbers(scores)
+    rows, columns, values = map(np.asarray, _pairs(pairs))
+    # Refusals are those of the other rule.
+    _core.outcomes(scores, truths, rows, columns, values, float(threshold), _flags(ignored_truths), _flags(ignored_detections), None)
+    # The best pair of each detection: of equal overlaps that of the first truth.
+    near = np.flatnonzero(values >= threshold)
+    near = near[np.lexsort((columns[near], -values[near], rows[near]))]
+    near = near[np.concatenate([[True], np.diff(rows[near]) > 0])] if len(near) else near
+    best = np.full(len(scores), -1)
+    best[rows[near]] = columns[near]
+    # A truth goes to the first that comes for it; detections that do not count come for none.
+    out = np.array(_flags(ignored_detections) or [False] * len(scores), bool)
+    lost = np.array(_flags(ignored_truths) or [False] * truths, bool)
+    out |= (best >= 0) & np.append(lost, False)[best]
+    order = np.argsort(-scores, kind="stable")
+    order = order[(best[order] >= 0) & ~out[order]]
+    _, first = np.unique(best[order], return_index=True)
+    found = np.full(len(scores), -1)
+    found[order[first]] = best[order[first]]
+    found[out] = -2
+    return found
+
+
 def curve(scores: Any, outcomes: Any, truths: int) -> Curve:
     """Scores, precisions and recalls, the highest score first. ``truths`` is the number of truths that count."""
     found: Curve = _core.curve(_numbers(scores), np.ascontiguousarray(outcomes, np.int64), truths)

@@ -3,8 +3,8 @@
 ``geograd.torch.iou(a, b, kind="Obb2")`` takes tensors of shape ``(..., 5)`` and gives a tensor of shape ``(...)``. Every
 verb of :mod:`geograd` is here by its name, with derivatives of any order, ``torch.func`` and ``torch.compile``, and with
 the forms :meth:`Verb.all_pairs`, ``row_max``, ``above``, ``sum``, ``mean`` and ``suppress``. :func:`function` does the same
-for a function of your own, :func:`check` checks a gradient. :class:`Polygons` have holes, parts, and derivatives of first
-order.
+for a function of your own, :func:`check` checks a gradient. :class:`Polygons` have holes and parts; :class:`Rings`,
+:class:`Polylines` and :class:`Clouds` are paths. Their areas, overlaps and distances have derivatives of any order, too.
 
 Losses: ``Loss``, ``IoULoss``, ``GIoULoss``, ``DIoULoss``, ``CIoULoss``, ``EIoULoss``, ``ProbIoULoss``, ``KFIoULoss``,
 ``GWDLoss``, ``KLDLoss``.
@@ -22,20 +22,21 @@ import numpy as np
 import torch
 
 import geograd
-from geograd import _nodes, _torch, _torch_polygons
+from geograd import _nodes, _torch
 from geograd._function import Function, reduced
 from geograd._losses import (
     CIoULoss, DIoULoss, EIoULoss, GIoULoss, GWDLoss, IoULoss, KFIoULoss, KLDLoss, Loss, ProbIoULoss,
 )
-from geograd._torch_polygons import Polygons, union_area
+from geograd._torch_polygons import (
+    Clouds, Paths, Polygons, Polylines, Rings, contains, difference, intersection, symmetric_difference, union, union_area,
+)
 from geograd._torch_verbs import *  # noqa: F403
 from geograd._torch_verbs import __all__ as _VERBS, Verb
 
-globals().update(_torch_polygons.OVERLAYS)
-
 __all__ = [
     "check", "function", "Loss", "IoULoss", "GIoULoss", "DIoULoss", "CIoULoss", "EIoULoss", "ProbIoULoss", "KFIoULoss",
-    "GWDLoss", "KLDLoss", "Polygons", "Verb", "union_area", *_torch_polygons.OVERLAYS, *_VERBS,
+    "GWDLoss", "KLDLoss", "Clouds", "Paths", "Polygons", "Polylines", "Rings", "Verb", "contains", "difference", "intersection",
+    "symmetric_difference", "union", "union_area", *_VERBS,
 ]
 
 
