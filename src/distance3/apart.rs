@@ -1,8 +1,8 @@
 //! Pairs of shapes of space that have distances, and the functions of any of them.
 use super::core::{Core3, PointCore};
 use super::cored::InflatedCore;
+use super::facing::Patch;
 use super::half_space::{self, Bounded};
-use super::manifold::Patch;
 use super::outcome::{Contact3, PointPair3};
 use super::relation::Relation;
 use super::{aside, between, boxes, round};

@@ -1,7 +1,7 @@
 //! Half-spaces against all that ends: the point of a shape that is farthest behind the plane.
 use super::core::Core3;
 use super::cored::InflatedCore;
-use super::manifold::Patch;
+use super::facing::Patch;
 use super::near::Low;
 use super::relation::{Relation, direction, square_of_gap};
 use super::round::Revolved;

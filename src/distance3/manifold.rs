@@ -1,6 +1,6 @@
 //! Contact manifolds: where two shapes of space lie on each other, in several points.
 use super::apart::Apart;
-use super::core::Core3;
+use super::facing::Patch;
 use super::relation::Relation;
 use crate::scalar::most_of;
 use crate::{Scalar, Vec3};
@@ -82,35 +82,6 @@ pub fn contacts<S: Scalar<Mask = bool>, A: Apart<B, Scalar = S>, B: Copy>(
     let relation = a.relation(b);
     let facing = a.facing(&b, relation.normal);
     guard.result(manifold(&relation, facing, within))
-}
-
-/// The face of a shape that faces another one, as a convex polygon.
-#[doc(hidden)]
-#[derive(Clone, Copy, Debug)]
-pub enum Patch<S> {
-    /// No more than the nearest point.
-    Spot,
-    /// The corners of a face, in order: one, two for a segment, three or four. The first `count` matter.
-    Face { corners: [Vec3<S>; 4], count: usize },
-    /// The plane of a half-space.
-    Plane,
-}
-
-impl<S: Scalar<Mask = bool>> Patch<S> {
-    /// Returns the face of a core that faces a direction, moved along it.
-    pub(super) fn of<C: Core3<S>>(core: &C, toward: Vec3<S>, radius: S) -> Self {
-        let corners = core.corners();
-        let corners = corners.as_ref();
-        let (chosen, count) = core.facing(toward);
-        let mut face = [Vec3::zero(); 4];
-        for (place, &k) in face.iter_mut().zip(&chosen[..count]) {
-            *place = corners[k] + toward * radius;
-        }
-        Patch::Face {
-            corners: face,
-            count,
-        }
-    }
 }
 
 /// A contact point, and its place in the plane across the normal.
@@ -354,7 +325,7 @@ fn over<S: Scalar<Mask = bool>>(
 }
 
 /// The sine of the angle between a face and the normal below which the face is seen as a line.
-const FLAT: f64 = 1.0 / (1_u64 << 10) as f64;
+const FLAT: f64 = 1.0 / 16.0;
 
 /// Returns the gap from a corner to a segment, if that passes the corner's place.
 fn beside<S: Scalar<Mask = bool>>(

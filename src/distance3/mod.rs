@@ -89,6 +89,7 @@ pub(crate) mod core;
 pub(crate) mod cored;
 pub(crate) mod deep;
 mod endless;
+mod facing;
 pub(crate) mod formula;
 pub(crate) mod half_space;
 mod inherent;

@@ -1,12 +1,10 @@
 //! Bodies that move, and the bounds of their gaps over some time.
-use super::clearance::{self, Clearance3};
-use super::impact::{self, Impact3};
 use super::motion3::Motion3;
 use crate::distance3::Apart;
 use crate::distance3::farthest_distance;
 use crate::distance3::half_space::Bounded;
 use crate::distance3::relation::Relation;
-use crate::scalar::{Guard, most_of};
+use crate::scalar::most_of;
 use crate::shape::{
     Capsule3, Cone, Cylinder, Obb3, Pose3, RoundBox3, Segment3, Sphere, Tetrahedron, Triangle3,
 };
@@ -36,62 +34,6 @@ macro_rules! bodies {
 }
 bodies! { Vec3 Segment3 Triangle3 Tetrahedron Obb3 RoundBox3 Sphere Capsule3 Cylinder Cone }
 
-/// Two bodies of space that move: `a.time_of_impact(motion_a, b, motion_b)` and alike.
-///
-/// ```
-/// use geograd::motion::{Motion3, Moves as _};
-/// use geograd::{Sphere, Vec3};
-/// let (ball, other) = (Sphere::new(Vec3::new(0.0, 0.0, 0.0), 1.0), Sphere::new(Vec3::new(6.0, 0.0, 0.0), 1.0));
-/// let (right, left) = (Motion3::straight(Vec3::new(4.0, 0.0, 0.0)), Motion3::straight(Vec3::new(-4.0, 0.0, 0.0)));
-/// assert_eq!(ball.time_of_impact(right, other, left).time, 0.5);
-/// assert_eq!(ball.clearance(right, other, right).distance, 4.0);
-/// ```
-#[diagnostic::on_unimplemented(
-    message = "no time of impact of `{Self}` and `{B}`",
-    note = "points, segments, triangles, tetrahedra, rotated boxes, round boxes, balls and capsules have one"
-)]
-pub trait Moves<B>: Copy {
-    /// Their numbers.
-    type Scalar: Scalar;
-    /// Returns the first time at which the bodies touch: [`time_of_impact`](super::time_of_impact).
-    #[must_use]
-    fn time_of_impact(
-        self,
-        motion: Motion3<Self::Scalar>,
-        other: B,
-        other_motion: Motion3<Self::Scalar>,
-    ) -> Impact3<Self::Scalar>;
-    /// Returns the least distance along both motions: [`clearance`](super::clearance()).
-    #[must_use]
-    fn clearance(
-        self,
-        motion: Motion3<Self::Scalar>,
-        other: B,
-        other_motion: Motion3<Self::Scalar>,
-    ) -> Clearance3<Self::Scalar>;
-}
-
-impl<S, A, B, PlainA, PlainB> Moves<B> for A
-where
-    S: Scalar<Mask = bool>,
-    A: Body3 + Pack<Scalar = S, With<S::Primal> = PlainA> + Apart<B, Scalar = S>,
-    B: Body3 + Pack<Scalar = S, With<S::Primal> = PlainB>,
-    PlainA: Body3<Scalar = S::Primal> + Apart<PlainB, Scalar = S::Primal>,
-    PlainB: Body3<Scalar = S::Primal>,
-{
-    type Scalar = S;
-    fn time_of_impact(self, motion: Motion3<S>, other: B, other_motion: Motion3<S>) -> Impact3<S> {
-        let guard = Guard::of(&self).and(&other).and(&motion).and(&other_motion);
-        let pair = MovingPair::new((self, motion), (other, other_motion));
-        guard.result(impact::replay(pair, impact::search(&pair.plain())))
-    }
-    fn clearance(self, motion: Motion3<S>, other: B, other_motion: Motion3<S>) -> Clearance3<S> {
-        let guard = Guard::of(&self).and(&other).and(&motion).and(&other_motion);
-        let pair = MovingPair::new((self, motion), (other, other_motion));
-        guard.result(clearance::replay(pair, clearance::search(&pair.plain())))
-    }
-}
-
 /// Two bodies, each relative to the centre of its turn, and their motions.
 #[derive(Clone, Copy)]
 pub(super) struct MovingPair<S, A, B> {
@@ -102,13 +44,15 @@ pub(super) struct MovingPair<S, A, B> {
 }
 
 impl<S: Scalar, A: Body3<Scalar = S>, B: Body3<Scalar = S>> MovingPair<S, A, B> {
-    fn new((a, of_a): (A, Motion3<S>), (b, of_b): (B, Motion3<S>)) -> Self {
+    /// Creates a pair from bodies at time 0.
+    pub(super) fn new((a, of_a): (A, Motion3<S>), (b, of_b): (B, Motion3<S>)) -> Self {
         MovingPair {
             a: (a.moved(of_a.to_center()), of_a),
             b: (b.moved(of_b.to_center()), of_b),
         }
     }
-    fn plain<PlainA, PlainB>(&self) -> MovingPair<S::Primal, PlainA, PlainB>
+    /// Returns the pair without derivatives.
+    pub(super) fn plain<PlainA, PlainB>(&self) -> MovingPair<S::Primal, PlainA, PlainB>
     where
         A: Pack<With<S::Primal> = PlainA>,
         B: Pack<With<S::Primal> = PlainB>,

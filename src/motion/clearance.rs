@@ -17,29 +17,6 @@ pub struct Clearance3<S> {
     pub time: S,
 }
 
-/// Returns the least signed distance of two moving bodies of space over the times from 0 to 1, and the first time found
-/// that has it.
-///
-/// Method, derivatives and kinks: see the [module](super).
-///
-/// ```
-/// use geograd::motion::{Motion3, clearance};
-/// use geograd::{Sphere, Vec3};
-/// let (ball, post) = (Sphere::new(Vec3::new(-4.0, 3.0, 0.0), 1.0), Sphere::new(Vec3::zero(), 1.0));
-/// let found = clearance(ball, Motion3::straight(Vec3::new(8.0, 0.0, 0.0)), post, Motion3::still());
-/// assert!((found.distance - 1.0_f64).abs() < 1e-15 && (found.time - 0.5).abs() < 1e-6);
-/// ```
-#[must_use]
-#[inline]
-pub fn clearance<S: Scalar, A: Moves<B, Scalar = S>, B>(
-    a: A,
-    motion_a: Motion3<S>,
-    b: B,
-    motion_b: Motion3<S>,
-) -> Clearance3<S> {
-    a.clearance(motion_a, b, motion_b)
-}
-
 /// The largest number of distances that the division of time takes.
 const MOST: usize = 4_096;
 /// The number of parts that it begins with.

@@ -22,36 +22,6 @@ pub struct Impact3<S> {
     pub kind: S,
 }
 
-/// Returns the first time from 0 to 1 at which two moving bodies of space touch, and where.
-///
-/// The place of the bodies is that at time 0. The time is right to some roundings of the coordinates over the speed of
-/// the approach. Method, derivatives and kinks: see the [module](super).
-///
-/// ```
-/// use geograd::motion::{Motion3, time_of_impact};
-/// use geograd::{Obb3, Pack, Rotation3, Vec3, ad};
-/// let cube = |x| Obb3::new(Vec3::new(x, 0.0, 0.0), Vec3::new(2.0, 2.0, 2.0), Rotation3::identity());
-/// let (push, still) = (Motion3::straight(Vec3::new(4.0, 0.0, 0.0)), Motion3::still());
-/// let found = time_of_impact(cube(0.0), push, cube(4.0), still);
-/// assert_eq!((found.time, found.normal), (0.5, Vec3::new(1.0, 0.0, 0.0)));
-/// // The time is 2/v with v the speed of the push.
-/// let by_push = |push: Vec3<_>| {
-///     time_of_impact(cube(0.0).lift(), Motion3::straight(push), cube(4.0).lift(), Motion3::still()).time
-/// };
-/// let (time, by) = ad::gradient(by_push, push.velocity);
-/// assert_eq!((time, by.x), (0.5, -2.0 / 16.0));
-/// ```
-#[must_use]
-#[inline]
-pub fn time_of_impact<S: Scalar, A: Moves<B, Scalar = S>, B>(
-    a: A,
-    motion_a: Motion3<S>,
-    b: B,
-    motion_b: Motion3<S>,
-) -> Impact3<S> {
-    a.time_of_impact(motion_a, b, motion_b)
-}
-
 /// The share of a gap that a step leaves at least, so that the next direction comes in time.
 const LEFT: f64 = 0.125;
 /// The largest number of steps. Each divides the gap by at least two; an approach that grazes takes one step per

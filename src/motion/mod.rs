@@ -51,8 +51,9 @@ mod body;
 mod clearance;
 mod impact;
 mod motion3;
+mod moves;
 
-pub use body::Moves;
-pub use clearance::{Clearance3, clearance};
-pub use impact::{Impact3, time_of_impact};
+pub use clearance::Clearance3;
+pub use impact::Impact3;
 pub use motion3::Motion3;
+pub use moves::{Moves, clearance, time_of_impact};

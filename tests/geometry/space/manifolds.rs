@@ -48,8 +48,11 @@ where
             "{p:?}"
         );
         // Faces lie on the border.
-        assert!(p.on_a.signed_distance(a).abs() < 1e-12, "{p:?}");
-        assert!(p.on_b.signed_distance(b).abs() < 1e-12, "{p:?}");
+        let [on_a, on_b] = [p.on_a.signed_distance(a), p.on_b.signed_distance(b)];
+        assert!(
+            on_a.abs() < 1e-11 && on_b.abs() < 1e-11,
+            "{on_a} {on_b} {p:?}"
+        );
     }
     found
 }

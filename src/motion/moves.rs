@@ -1,0 +1,117 @@
+//! Functions of two moving bodies.
+use super::body::{Body3, MovingPair};
+use super::clearance::{self, Clearance3};
+use super::impact::{self, Impact3};
+use super::motion3::Motion3;
+use crate::distance3::Apart;
+use crate::scalar::Guard;
+use crate::{Pack, Scalar};
+
+/// Two bodies of space that move: `a.time_of_impact(motion_a, b, motion_b)` and alike.
+///
+/// ```
+/// use geograd::motion::{Motion3, Moves as _};
+/// use geograd::{Sphere, Vec3};
+/// let (ball, other) = (Sphere::new(Vec3::new(0.0, 0.0, 0.0), 1.0), Sphere::new(Vec3::new(6.0, 0.0, 0.0), 1.0));
+/// let (right, left) = (Motion3::straight(Vec3::new(4.0, 0.0, 0.0)), Motion3::straight(Vec3::new(-4.0, 0.0, 0.0)));
+/// assert_eq!(ball.time_of_impact(right, other, left).time, 0.5);
+/// assert_eq!(ball.clearance(right, other, right).distance, 4.0);
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "no time of impact of `{Self}` and `{B}`",
+    note = "points, segments, triangles, tetrahedra, rotated boxes, round boxes, balls and capsules have one"
+)]
+pub trait Moves<B>: Copy {
+    /// Their numbers.
+    type Scalar: Scalar;
+    /// Returns the first time at which the bodies touch: [`time_of_impact`](super::time_of_impact).
+    #[must_use]
+    fn time_of_impact(
+        self,
+        motion: Motion3<Self::Scalar>,
+        other: B,
+        other_motion: Motion3<Self::Scalar>,
+    ) -> Impact3<Self::Scalar>;
+    /// Returns the least distance along both motions: [`clearance`](super::clearance()).
+    #[must_use]
+    fn clearance(
+        self,
+        motion: Motion3<Self::Scalar>,
+        other: B,
+        other_motion: Motion3<Self::Scalar>,
+    ) -> Clearance3<Self::Scalar>;
+}
+
+impl<S, A, B, PlainA, PlainB> Moves<B> for A
+where
+    S: Scalar<Mask = bool>,
+    A: Body3 + Pack<Scalar = S, With<S::Primal> = PlainA> + Apart<B, Scalar = S>,
+    B: Body3 + Pack<Scalar = S, With<S::Primal> = PlainB>,
+    PlainA: Body3<Scalar = S::Primal> + Apart<PlainB, Scalar = S::Primal>,
+    PlainB: Body3<Scalar = S::Primal>,
+{
+    type Scalar = S;
+    fn time_of_impact(self, motion: Motion3<S>, other: B, other_motion: Motion3<S>) -> Impact3<S> {
+        let guard = Guard::of(&self).and(&other).and(&motion).and(&other_motion);
+        let pair = MovingPair::new((self, motion), (other, other_motion));
+        guard.result(impact::replay(pair, impact::search(&pair.plain())))
+    }
+    fn clearance(self, motion: Motion3<S>, other: B, other_motion: Motion3<S>) -> Clearance3<S> {
+        let guard = Guard::of(&self).and(&other).and(&motion).and(&other_motion);
+        let pair = MovingPair::new((self, motion), (other, other_motion));
+        guard.result(clearance::replay(pair, clearance::search(&pair.plain())))
+    }
+}
+
+/// Returns the first time from 0 to 1 at which two moving bodies of space touch, and where.
+///
+/// The place of the bodies is that at time 0. The time is right to some roundings of the coordinates over the speed of
+/// the approach. Method, derivatives and kinks: see the [module](super).
+///
+/// ```
+/// use geograd::motion::{Motion3, time_of_impact};
+/// use geograd::{Obb3, Pack, Rotation3, Vec3, ad};
+/// let cube = |x| Obb3::new(Vec3::new(x, 0.0, 0.0), Vec3::new(2.0, 2.0, 2.0), Rotation3::identity());
+/// let (push, still) = (Motion3::straight(Vec3::new(4.0, 0.0, 0.0)), Motion3::still());
+/// let found = time_of_impact(cube(0.0), push, cube(4.0), still);
+/// assert_eq!((found.time, found.normal), (0.5, Vec3::new(1.0, 0.0, 0.0)));
+/// // The time is 2/v with v the speed of the push.
+/// let by_push = |push: Vec3<_>| {
+///     time_of_impact(cube(0.0).lift(), Motion3::straight(push), cube(4.0).lift(), Motion3::still()).time
+/// };
+/// let (time, by) = ad::gradient(by_push, push.velocity);
+/// assert_eq!((time, by.x), (0.5, -2.0 / 16.0));
+/// ```
+#[must_use]
+#[inline]
+pub fn time_of_impact<S: Scalar, A: Moves<B, Scalar = S>, B>(
+    a: A,
+    motion_a: Motion3<S>,
+    b: B,
+    motion_b: Motion3<S>,
+) -> Impact3<S> {
+    a.time_of_impact(motion_a, b, motion_b)
+}
+
+/// Returns the least signed distance of two moving bodies of space over the times from 0 to 1, and the first time found
+/// that has it.
+///
+/// Method, derivatives and kinks: see the [module](super).
+///
+/// ```
+/// use geograd::motion::{Motion3, clearance};
+/// use geograd::{Sphere, Vec3};
+/// let (ball, post) = (Sphere::new(Vec3::new(-4.0, 3.0, 0.0), 1.0), Sphere::new(Vec3::zero(), 1.0));
+/// let found = clearance(ball, Motion3::straight(Vec3::new(8.0, 0.0, 0.0)), post, Motion3::still());
+/// assert!((found.distance - 1.0_f64).abs() < 1e-15 && (found.time - 0.5).abs() < 1e-6);
+/// ```
+#[must_use]
+#[inline]
+pub fn clearance<S: Scalar, A: Moves<B, Scalar = S>, B>(
+    a: A,
+    motion_a: Motion3<S>,
+    b: B,
+    motion_b: Motion3<S>,
+) -> Clearance3<S> {
+    a.clearance(motion_a, b, motion_b)
+}
