@@ -90,6 +90,7 @@ pub(crate) mod deep;
 mod endless;
 pub(crate) mod formula;
 pub(crate) mod half_space;
+pub mod hulls;
 mod inherent;
 pub(crate) mod near;
 mod outcome;
