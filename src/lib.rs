@@ -48,7 +48,7 @@
 //! | differentiate any generic function of shapes | [`ad`]: [`ad::gradient`], [`ad::hessian`], … |
 //! | use an adjoint by hand | [`ad::adjoint::overlap`], [`ad::adjoint::ring`] |
 //! | compute for many shapes at once | [`kernels::verbs`], [`kernels::cpu`] |
-//! | make a shape | [`Vec2`], [`Rotation2`], [`Pose2`], [`Aabb2`], [`Obb2`], [`ConvexPolygon`]; in space [`Vec3`], [`Pose3`], [`Aabb3`], [`Obb3`], [`YawBox3`], [`Capsule3`], [`Tetrahedron`]; all: [`shape`] |
+//! | make a shape | [`Vec2`], [`Rotation2`], [`Pose2`], [`Aabb2`], [`Obb2`], [`ConvexPolygon`]; in space [`Vec3`], [`Pose3`], [`Aabb3`], [`Obb3`], [`YawBox3`], [`Capsule3`], [`Tetrahedron`], [`Hull3`]; all: [`shape`] |
 //! | make a shape of your own | [`derive(Shape)`](macro@Shape) |
 //! | write generic geometry | [`Scalar`], [`Mask`], [`Pack`] |
 //! | port code from the paper's library (DGAL, d3d) | [`paper`] |

@@ -19,7 +19,7 @@
 //! Decisions are those of exact arithmetic on the given numbers, where sizes differ by less than 10⁷⁰. Values and
 //! derivatives are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in `f32`, from
 //! 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
-mod exact;
+mod orientation;
 mod start;
 mod surface;
 mod triangles;

@@ -1,5 +1,5 @@
 //! The first corners of a hull: as many as its dimension needs, far from each other.
-use super::exact::{on_line, side};
+use super::orientation::{on_line, side};
 use crate::Vec3;
 
 /// Points that span a hull.

@@ -1,5 +1,5 @@
 //! The surface of a hull: its facets, each a convex polygon, and its edges.
-use super::exact::{on_line, seen, side, turn_along};
+use super::orientation::{on_line, seen, side, turn_along};
 use super::start::{Start, by_coordinates, least, start};
 use super::triangles::{Triangle, triangles};
 use crate::Vec3;

@@ -1,5 +1,5 @@
 //! The surface of a hull with a volume as triangles: quickhull (Barber, Dobkin, Huhdanpaa 1996) with exact decisions.
-use super::exact::side;
+use super::orientation::side;
 use crate::Vec3;
 
 /// A triangle of the surface, counter-clockwise seen from outside.

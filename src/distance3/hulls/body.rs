@@ -1,5 +1,5 @@
 //! A hull of plain numbers with its faces and edges.
-use super::record::spanning;
+use super::hull_record::spanning;
 use crate::Vec3;
 use crate::hull3::{HullEdge, Surface};
 

@@ -3,15 +3,33 @@
 //! A search on plain numbers finds the features that are nearest, a corner, an edge or a face of each, or that lie in
 //! the planes that part the hulls best where these overlap. It iterates (GJK) where they are clearly apart, with a
 //! bound from below as proof; else it compares all faces and edges, whose order exact predicates decide. The replay
-//! evaluates the distance of these features, of which it has derivatives of every order.
+//! evaluates the distance of these features, with first and second derivatives by pose and by vertices.
+//!
+//! Features that are equally near, within a few roundings of the size, share the derivative and the point equally: for
+//! parallel faces all corners of their overlap, crossings of edges included. Of more than sixteen the first sixteen
+//! do. Planes that are equally deep share the derivative; direction and points are those of the first. Of repeated
+//! vertices the first has the derivative, which is one of those between the one-sided ones.
+//!
+//! ```
+//! use geograd::distance3::{penetration, signed_distance};
+//! use geograd::{Hull3, Obb3, Rotation3, Vec3};
+//! let [x, y, z] = [Vec3::new(2.0_f64, 0.0, 0.0), Vec3::new(0.0, 3.0, 0.0), Vec3::new(0.0, 0.0, 4.0)];
+//! let wedge: Hull3<f64, 8> = Hull3::from_vertices(&[Vec3::zero(), x, y, z]);
+//! let cube = |x: f64| Obb3::new(Vec3::new(x, 0.5, 0.5), Vec3::new(1.0, 1.0, 1.0), Rotation3::identity());
+//! assert!((signed_distance(cube(-1.5), wedge) - 1.0).abs() < 1e-15);
+//! let out = penetration(cube(-0.25), wedge);
+//! assert!((out.depth - 0.25).abs() < 1e-15 && (out.direction.x - 1.0).abs() < 1e-15);
+//! ```
+//!
+//! The search decides in `f64`, also for `f32`. Numbers over other formats have the features of the first vertices.
 mod body;
 mod gjk;
-mod near;
+mod hull_record;
+mod hull_replay;
+mod hull_search;
+mod near_features;
+mod parting_planes;
 mod patch;
-mod planes;
-mod record;
-mod replay;
-mod search;
 
 use super::apart::Apart;
 use super::aside;
@@ -24,7 +42,7 @@ use super::spot::{plain, vanish};
 use crate::distance::share::Best;
 use crate::scalar::Guard;
 use crate::{Hull3, Scalar, Vec3};
-pub use record::{FeaturePair, HullFeatures, HullRecord};
+pub use hull_record::{FeaturePair, HullFeatures, HullRecord};
 
 /// A convex shape with corners: their hull, inflated by a radius.
 pub trait Cornered: Copy {
@@ -38,6 +56,10 @@ pub trait Cornered: Copy {
     fn middle(&self) -> Option<Vec3<Self::Scalar>>;
     /// Returns the corners relative to a point.
     fn corners_from(&self, from: Vec3<Self::Scalar>) -> Self::Corners;
+    /// Returns the number of corners, or less if the last ones repeat the first.
+    fn count_of_corners(&self, corners: &Self::Corners) -> usize {
+        corners.as_ref().len()
+    }
     /// Returns the radius of the inflation.
     fn inflation(&self) -> Self::Scalar;
     /// Returns a guard with its numbers.
@@ -97,6 +119,10 @@ impl<S: Scalar, const N: usize> Cornered for Hull3<S, N> {
         all
     }
     #[inline]
+    fn count_of_corners(&self, _: &[Vec3<S>; N]) -> usize {
+        self.count.clamp(1, N)
+    }
+    #[inline]
     fn inflation(&self) -> S {
         S::zero()
     }
@@ -136,10 +162,33 @@ where
     B: Cornered<Scalar = S>,
 {
     let from = origin(a, b);
-    let (a, b) = (a.corners_from(from), b.corners_from(from));
-    match (numbers(a.as_ref()), numbers(b.as_ref())) {
-        (Some(a), Some(b)) => search::search(a, b, S::EPSILON),
+    let (of_a, of_b) = (a.corners_from(from), b.corners_from(from));
+    let (m, n) = (a.count_of_corners(&of_a), b.count_of_corners(&of_b));
+    let (a, b) = (&of_a.as_ref()[..m], &of_b.as_ref()[..n]);
+    let record = match (numbers(a), numbers(b)) {
+        (Some(a), Some(b)) => hull_search::search(a, b, S::EPSILON),
         _ => HullRecord::new(&[], false),
+    };
+    noted::<S::Primal>(&record);
+    record
+}
+
+/// Compares constants by the record, so that traces of comparisons differ where records do. For plain numbers this is
+/// nothing.
+#[inline(always)]
+fn noted<P: Scalar>(record: &HullRecord) {
+    let bit = |one: bool| {
+        let side = P::lit(if one { 1.0 } else { -1.0 });
+        let _ = side.below(-side);
+    };
+    bit(record.inside);
+    for features in record.features() {
+        let HullFeatures { pair, a, b, plane } = *features;
+        let [i, j, k] = a;
+        let [l, m, n] = b;
+        for byte in [pair as u8, i, j, k, l, m, n, plane] {
+            (0..8).for_each(|k| bit(byte >> k & 1 == 1));
+        }
     }
 }
 
@@ -153,7 +202,7 @@ where
 {
     let from = origin(a, b);
     let (of_a, of_b) = (a.corners_from(from), b.corners_from(from));
-    let found = replay::replay(of_a.as_ref(), of_b.as_ref(), record);
+    let found = hull_replay::replay(of_a.as_ref(), of_b.as_ref(), record);
     let growth = vanish(a.widening(found.normal) + b.widening(found.normal));
     let by_growth = found.square.root() * growth;
     let found = Relation {

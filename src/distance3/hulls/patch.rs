@@ -1,7 +1,7 @@
 //! The parts of two hulls in one plane that parts them: corners over faces, and edges that cross.
 use super::body::{Body, unit};
-use super::planes::Plane;
-use super::record::{FeaturePair, HullFeatures, spanning};
+use super::hull_record::{FeaturePair, HullFeatures, around};
+use super::parting_planes::Plane;
 use crate::hull::hull_search;
 use crate::{Vec2, Vec3};
 
@@ -100,17 +100,19 @@ pub(super) fn features(a: &Body<'_>, b: &Body<'_>, plane: &Plane, slack: f64) ->
     let of_b = patch(b, (plane.on_b, normal), view, slack);
     let mut all = Vec::new();
     if of_a.is_face() {
-        let face = spanning(a.points, &of_a.corners, normal);
         for (&corner, &at) in of_b.corners.iter().zip(&of_b.seen) {
             if of_a.covers(at, slack) {
+                let point = b.points[corner];
+                let face = around(a.points, &of_a.corners, (normal, normal), point);
                 all.push(HullFeatures::new(FeaturePair::FaceCorner, &face, &[corner]));
             }
         }
     }
     if of_b.is_face() {
-        let face = spanning(b.points, &of_b.corners, -normal);
         for (&corner, &at) in of_a.corners.iter().zip(&of_a.seen) {
             if of_b.covers(at, slack) {
+                let point = a.points[corner];
+                let face = around(b.points, &of_b.corners, (normal, -normal), point);
                 all.push(HullFeatures::new(FeaturePair::CornerFace, &[corner], &face));
             }
         }

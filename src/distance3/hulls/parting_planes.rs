@@ -1,6 +1,6 @@
 //! The planes that part two hulls best: along a face of either, or along an edge of each.
 use super::body::{BEYOND, Body, across, is_short};
-use super::record::{FeaturePair, HullFeatures};
+use super::hull_record::{FeaturePair, HullFeatures};
 use crate::Vec3;
 
 /// A sine of two edges below which they have no plane of their own, in roundings.
@@ -107,11 +107,12 @@ fn along_edges(a: &Body<'_>, b: &Body<'_>, rounding: f64, best: &mut Best) {
                 if !holds || gap < best.most - best.slack {
                     continue;
                 }
-                let beyond_a = a.lowest(-normal, from).0;
-                let beyond_b = b.lowest(normal, to).0;
+                let beyond_a = a.lowest(-normal, from).0.min(0.0);
+                let beyond_b = b.lowest(normal, to).0.min(0.0);
                 if beyond_a < -BEYOND || beyond_b < -BEYOND {
                     continue;
                 }
+                let gap = gap + beyond_a + beyond_b;
                 let [start, end] = second.ends;
                 let ends = if side > 0.0 {
                     [start, end]

@@ -48,7 +48,7 @@ pub struct HullRecord {
 }
 
 impl HullFeatures {
-    /// Names features by the numbers of their corners, a shape with up to 256 of them.
+    /// Returns features by the numbers of their corners, of shapes with up to 256 of them.
     pub(super) fn new(pair: FeaturePair, a: &[usize], b: &[usize]) -> Self {
         let named = |corners: &[usize]| {
             let at = |k: usize| corners.get(k).or(corners.first()).map_or(0, |&k| k as u8);
@@ -129,4 +129,48 @@ pub(super) fn spanning(points: &[Vec3<f64>], face: &[usize], up: Vec3<f64>) -> [
         true => [apex, to, from],
         false => [apex, from, to],
     }
+}
+
+/// The number of corners of a face up to which all triangles of them are compared.
+const FEW: usize = 8;
+
+/// Returns the three corners of a face around a point's foot that span the largest triangle; only these give the
+/// derivative by corners that a face has which stops to be flat. The ring is counter-clockwise seen from `above`; the
+/// result as [`spanning`] returns it.
+pub(super) fn around(
+    points: &[Vec3<f64>],
+    ring: &[usize],
+    (above, up): (Vec3<f64>, Vec3<f64>),
+    point: Vec3<f64>,
+) -> [usize; 3] {
+    let n = ring.len();
+    let mut best = (spanning(points, ring, up), -1.0);
+    let side = |p: usize, q: usize| {
+        let (p, q) = (points[p], points[q]);
+        above.dot((q - p).cross(point - p))
+    };
+    let mut compare = |[i, j, k]: [usize; 3]| {
+        if side(i, j) < 0.0 || side(j, k) < 0.0 || side(k, i) < 0.0 {
+            return;
+        }
+        let area = (points[j] - points[i])
+            .cross(points[k] - points[i])
+            .length_squared();
+        if area > best.1 {
+            best = ([i, j, k], area);
+        }
+    };
+    for i in 0..if n > FEW { 1 } else { n } {
+        for j in i + 1..n {
+            let ends = if n > FEW {
+                j + 1..(j + 2).min(n)
+            } else {
+                j + 1..n
+            };
+            for k in ends {
+                compare([ring[i], ring[j], ring[k]]);
+            }
+        }
+    }
+    spanning(points, &best.0, up)
 }

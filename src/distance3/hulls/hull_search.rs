@@ -1,10 +1,10 @@
 //! The search for the features of two hulls that decide about their relation.
 use super::body::Body;
 use super::gjk::{Gap, gap};
-use super::near::{Near, edges, from_edge, nearest, of_edges};
+use super::hull_record::{FeaturePair, HullFeatures, HullRecord, spanning};
+use super::near_features::{Near, edges, from_edge, nearest, of_edges};
+use super::parting_planes as planes;
 use super::patch;
-use super::planes;
-use super::record::{FeaturePair, HullFeatures, HullRecord, spanning};
 use crate::Vec3;
 use crate::distance::edge::scale_of;
 use crate::scalar::largest;
@@ -37,7 +37,6 @@ pub(super) fn search(mut a: Vec<Vec3<f64>>, mut b: Vec<Vec3<f64>>, rounding: f64
     scaled(&mut a, &mut b);
     let slack = TIED * rounding;
     let seen = gap(&a, &b);
-    let distance = seen.way.length();
     let apart = !seen.inside && seen.least > CLEAR;
     if apart && let Some(features) = few(&a, &b, seen, slack) {
         return HullRecord::new(&[features], false);
@@ -48,7 +47,7 @@ pub(super) fn search(mut a: Vec<Vec3<f64>>, mut b: Vec<Vec3<f64>>, rounding: f64
         false => planes::best(&of_a, &of_b, slack, rounding),
     };
     let deepest = planes.first().map_or(f64::NEG_INFINITY, |plane| plane.gap);
-    let overlap = seen.inside && distance <= CLEAR && (f64::MIN..-CLEAR).contains(&deepest);
+    let overlap = seen.inside && (f64::MIN..-CLEAR).contains(&deepest);
     if !overlap {
         let (near, distance) = nearest(&of_a, &of_b, slack);
         // Moved by their depth, hulls that overlap touch: without the move they are no farther apart.

@@ -1,6 +1,6 @@
 //! The nearest features of two hulls that are apart, by all pairs of features.
 use super::body::Body;
-use super::record::{FeaturePair, HullFeatures};
+use super::hull_record::{FeaturePair, HullFeatures, around};
 use crate::Vec3;
 
 /// A sine of two edges below which their ends are as near as their middles, in roundings.
@@ -42,20 +42,21 @@ pub(super) fn of_edges(a: [Vec3<f64>; 2], b: [Vec3<f64>; 2]) -> Option<f64> {
     (open(s) && open(t)).then(|| (w + v * t - u * s).length())
 }
 
-/// Returns the height of a point over a face with a ring of corners if it is above it, and inside seen along its
-/// normal.
+/// Returns the height of a point over a face with a ring of corners, if it is not below it by more than a slack, and
+/// inside seen along its normal.
 fn over_face(
     points: &[Vec3<f64>],
     ring: &[usize],
     normal: Vec3<f64>,
     point: Vec3<f64>,
+    slack: f64,
 ) -> Option<f64> {
     let height = normal.dot(point - points[ring[0]]);
     let inside = |k: usize| {
         let (from, to) = (points[ring[k]], points[ring[(k + 1) % ring.len()]]);
         normal.dot((to - from).cross(point - from)) >= 0.0
     };
-    (height >= 0.0 && (0..ring.len()).all(inside)).then_some(height)
+    (height >= -slack && (0..ring.len()).all(inside)).then_some(height.abs())
 }
 
 /// The nearest features so far.
@@ -99,8 +100,16 @@ fn of_corners(first: &Body<'_>, second: &Body<'_>, flipped: bool, best: &mut Bes
             if height > best.least + best.slack {
                 continue;
             }
-            if let Some(height) = over_face(first.points, &face.ring, face.normal, point) {
-                take(height, FeaturePair::FaceCorner, &face.plane, 0.0);
+            if let Some(height) = over_face(
+                first.points,
+                &face.ring,
+                face.normal,
+                point,
+                4.0 * best.slack,
+            ) {
+                let normals = (face.normal, face.normal);
+                let plane = around(first.points, &face.ring, normals, point);
+                take(height, FeaturePair::FaceCorner, &plane, 0.0);
             }
         }
         inside |= first.dimension == 3 && !above;
@@ -152,7 +161,7 @@ pub(super) fn nearest(a: &Body<'_>, b: &Body<'_>, slack: f64) -> (Vec<Near>, f64
     (all, if inside { 0.0 } else { least })
 }
 
-/// Names two edges in the order in which the product of the vectors along them points from a to b.
+/// Returns two edges in the order in which the product of the vectors along them points from a to b.
 pub(super) fn edges(
     a: &[Vec3<f64>],
     first: [usize; 2],

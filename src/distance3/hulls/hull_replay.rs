@@ -1,15 +1,15 @@
 //! The relation of two hulls from the features that a search found: straight lines.
 use super::super::between::derived;
 use super::super::core::Core;
-use super::super::near::{Edge, Nearest, edge_near, normal};
+use super::super::near::{Edge, edge_near};
 use super::super::relation::{Relation, direction};
 use super::super::simplex::{SimplexCore, TriangleCore, on_face};
 use super::super::spot::{CoreFeatures, Pull, Spot, plain};
-use super::record::{FeaturePair, HullFeatures, HullRecord};
+use super::hull_record::{FeaturePair, HullFeatures, HullRecord};
 use crate::arrays::Each;
 use crate::distance::edge::scale_of;
 use crate::scalar::largest;
-use crate::{Scalar, Vec3};
+use crate::{Scalar, Vec3, twofold};
 
 /// The corners of a feature.
 type Corners<S> = [Vec3<S>; 3];
@@ -60,53 +60,94 @@ fn edge_and_corner<P: Scalar>(edge: Corners<P>, corner: Vec3<P>) -> Touching<P> 
     }
 }
 
-fn face_and_corner<P: Scalar>(face: Corners<P>, corner: Vec3<P>, inside: bool) -> Touching<P> {
-    let (u, v, arm) = (face[1] - face[0], face[2] - face[0], corner - face[0]);
-    let up = normal(u, v);
-    let s = arm.cross(v).dot(up.long).over(up.square);
-    let rest = arm - u * s;
+/// A direction across two vectors, from exact differences: even a needle's has all digits.
+struct Across<P: Scalar> {
+    /// The cross product.
+    long: Vec3<P>,
+    /// The square of its length; one if it counts as none.
+    square: P,
+    /// The direction, of length one; zero if there is none.
+    unit: Vec3<P>,
+    /// `true` if the product counts as none: the features are parallel or points.
+    none: P::Mask,
+    /// `true` if a plain product has half the digits of the format, so that its derivatives have some.
+    clear: P::Mask,
+}
+
+impl<P: Scalar<Primal = P>> Across<P> {
+    /// Returns the direction across the vectors between the points of two pairs.
+    fn new([a, b]: [Vec3<P>; 2], [c, d]: [Vec3<P>; 2]) -> Self {
+        let one = P::one();
+        let vector = |from, to| twofold::way(twofold::deep(from), twofold::deep(to), one);
+        let [x, y, z] = twofold::cross(vector(a, b), vector(c, d));
+        let long = Vec3::new(x, y, z);
+        let square = long.length_squared();
+        let none = square.at_most(P::lit(P::EPSILON.powi(4)));
+        let squares = (b - a).length_squared() * (d - c).length_squared();
+        let clear = square.above(squares * P::lit(P::EPSILON)) & !none;
+        let square = P::select(none, one, square);
+        let over = one.over(square.root());
+        let unit = Vec3::select(none, Vec3::zero(), long * over);
+        Across {
+            long,
+            square,
+            unit,
+            none,
+            clear,
+        }
+    }
+    /// Returns the part of a vector between both features along the direction, and its direction; the vector itself
+    /// and its own direction if there is none.
+    fn along(&self, way: Vec3<P>, direct: Vec3<P>) -> (Vec3<P>, Vec3<P>) {
+        (
+            Vec3::select(self.none, direct, self.unit * self.unit.dot(way)),
+            Vec3::select(self.none, direction(direct), self.unit),
+        )
+    }
+}
+
+/// Returns a length squared as a divisor: one for zero.
+fn divisor<P: Scalar>(v: Vec3<P>) -> P {
     let square = v.length_squared();
-    let square = P::select(square.equals(P::zero()), P::one(), square);
-    let t = v.dot(rest).over(square);
-    let direct = rest - v * t;
-    // A plane counts even if its normal has few digits.
-    let by_plane = match inside {
-        true => !up.none,
-        false => up.clear & !up.none,
-    };
-    let way = Vec3::select(by_plane, up.unit * up.unit.dot(direct), direct);
+    P::select(square.equals(P::zero()), P::one(), square)
+}
+
+fn face_and_corner<P: Scalar<Primal = P>>(face: Corners<P>, corner: Vec3<P>) -> Touching<P> {
+    let (u, v, arm) = (face[1] - face[0], face[2] - face[0], corner - face[0]);
+    let up = Across::new([face[0], face[1]], [face[0], face[2]]);
+    let s = arm.cross(v).dot(up.long).over(up.square);
+    // The shares of a needle's corners are mostly rounding.
+    let s = P::select(up.clear, s, held(s));
+    let rest = arm - u * s;
+    let t = v.dot(rest).over(divisor(v));
+    let left = P::one() - s;
+    let bounded = P::select(left.below(held(t)), left, held(t));
+    let t = P::select(up.clear, t, bounded);
+    let (way, normal) = up.along(arm, rest - v * t);
     Touching {
         way,
-        normal: Vec3::select(by_plane, up.unit, direction(direct)),
+        normal,
         on_a: corner - way,
         on_b: corner,
-        at_a: on_face(0, [(P::one() - s) - t, s, t]).on(up.clear & !up.none, 8),
+        at_a: on_face(0, [left - t, s, t]).on(up.clear, 8),
         at_b: Spot::corner(0),
     }
 }
 
-fn two_edges<P: Scalar>(a: Corners<P>, b: Corners<P>, inside: bool) -> Touching<P> {
+fn two_edges<P: Scalar<Primal = P>>(a: Corners<P>, b: Corners<P>) -> Touching<P> {
     let (u, v, w) = (a[1] - a[0], b[1] - b[0], b[0] - a[0]);
-    let up = normal(u, v);
-    let square = v.length_squared();
-    let square = P::select(square.equals(P::zero()), P::one(), square);
+    let up = Across::new([a[0], a[1]], [b[0], b[1]]);
     let s = held(w.cross(v).dot(up.long).over(up.square));
-    let t = held((u.dot(v) * s - w.dot(v)).over(square));
-    let direct = w + v * t - u * s;
-    let by_plane = match inside {
-        true => !up.none,
-        false => up.clear & !up.none,
-    };
-    let way = Vec3::select(by_plane, up.unit * up.unit.dot(direct), direct);
-    let free = up.clear & !up.none;
+    let t = held((u.dot(v) * s - w.dot(v)).over(divisor(v)));
+    let (way, normal) = up.along(w, w + v * t - u * s);
     let core: TriangleCore<P> = SimplexCore(a);
     Touching {
         way,
-        normal: Vec3::select(by_plane, up.unit, direction(direct)),
+        normal,
         on_a: a[0] + u * s,
         on_b: b[0] + v * t,
-        at_a: core.at_edge(0, s).on(free, 1),
-        at_b: core.at_edge(0, t).on(free, 1),
+        at_a: core.at_edge(0, s).on(up.clear, 1),
+        at_b: core.at_edge(0, t).on(up.clear, 1),
     }
 }
 
@@ -121,7 +162,7 @@ fn related<S: Scalar>(
     let (from, to) = (a.each_as(plain), b.each_as(plain));
     let found: Touching<P<S>> = match features.pair {
         FeaturePair::Corners => {
-            let Nearest { apart: way, .. } = Nearest::of(to[0] - from[0], from[0], to[0]).sum;
+            let way = to[0] - from[0];
             Touching {
                 way,
                 normal: direction(way),
@@ -133,13 +174,17 @@ fn related<S: Scalar>(
         }
         FeaturePair::EdgeCorner => edge_and_corner(from, to[0]),
         FeaturePair::CornerEdge => edge_and_corner(to, from[0]).flipped(),
-        FeaturePair::FaceCorner => face_and_corner(from, to[0], inside),
-        FeaturePair::CornerFace => face_and_corner(to, from[0], inside).flipped(),
-        FeaturePair::Edges => two_edges(from, to, inside),
+        FeaturePair::FaceCorner => face_and_corner(from, to[0]),
+        FeaturePair::CornerFace => face_and_corner(to, from[0]).flipped(),
+        FeaturePair::Edges => two_edges(from, to),
     };
     let zero = P::<S>::zero();
     let none = zero.below(zero);
-    let gap = match inside {
+    let by_plane = match features.pair {
+        FeaturePair::Corners | FeaturePair::CornerEdge | FeaturePair::EdgeCorner => false,
+        FeaturePair::CornerFace | FeaturePair::FaceCorner | FeaturePair::Edges => true,
+    };
+    let gap = match by_plane {
         true => found.normal.dot(found.way),
         false => found.way.length(),
     };
