@@ -54,8 +54,8 @@ pub(super) fn is_short(product: Vec3<f64>, rounding: f64) -> bool {
 }
 
 impl<'a> Body<'a> {
-    /// Returns the hull of points, with at least one, for formats with a rounding. A face so thin that its normal has no
-    /// digits is none: its edges are as near, within rounding.
+    /// Returns the hull of points, with at least one, for formats with a rounding. A face so thin that its normal has
+    /// no digits is none: its edges are as near, within rounding.
     pub fn of(points: &'a [Vec3<f64>], rounding: f64) -> Self {
         let surface = Surface::of(points);
         let highest = |way: Vec3<f64>, over: Vec3<f64>| {

@@ -1,5 +1,5 @@
 //! The nearest features of two hulls that are apart, by all pairs of features.
-use super::body::Body;
+use super::body::{Body, across};
 use super::hull_record::{FeaturePair, HullFeatures, around};
 use crate::Vec3;
 
@@ -108,7 +108,13 @@ fn of_corners(first: &Body<'_>, second: &Body<'_>, flipped: bool, best: &mut Bes
                 4.0 * best.slack,
             ) {
                 let normals = (face.normal, face.normal);
-                let plane = around(first.points, &face.ring, normals, point);
+                let mut plane = around(first.points, &face.ring, normals, point);
+                // A needle of a face that is flat within rounding may be in another plane.
+                let [from, p, q] = plane.map(|k| first.points[k]);
+                let own = across(p - from, q - from).dot(point - from);
+                if (own.abs() - height).abs() > best.slack {
+                    plane = face.plane;
+                }
                 take(height, FeaturePair::FaceCorner, &plane, 0.0);
             }
         }

@@ -1,5 +1,5 @@
 //! The parts of two hulls in one plane that parts them: corners over faces, and edges that cross.
-use super::body::{Body, unit};
+use super::body::{BEYOND, Body, across, unit};
 use super::hull_record::{FeaturePair, HullFeatures, around};
 use super::parting_planes::Plane;
 use crate::hull::hull_search;
@@ -90,6 +90,7 @@ fn cross([a, b]: [Vec2<f64>; 2], [c, d]: [Vec2<f64>; 2], slack: f64) -> bool {
 /// rounding leaves none.
 pub(super) fn features(a: &Body<'_>, b: &Body<'_>, plane: &Plane, slack: f64) -> Vec<HullFeatures> {
     let normal = plane.normal;
+    let slack = slack.max(2.0 * BEYOND);
     let axis = match normal.x.abs() < 0.6 {
         true => Vec3::new(1.0, 0.0, 0.0),
         false => Vec3::new(0.0, 1.0, 0.0),
@@ -140,8 +141,28 @@ pub(super) fn features(a: &Body<'_>, b: &Body<'_>, plane: &Plane, slack: f64) ->
             all.push(HullFeatures::new(FeaturePair::Edges, &first, &second));
         }
     }
+    // Needles and edges that are all but parallel may define another plane.
+    all.retain(|features| {
+        let gap = gap_of(a.points, b.points, features);
+        (gap - plane.gap).abs() <= 8.0 * slack
+    });
     if all.is_empty() {
         all.push(plane.features);
     }
     all
+}
+
+/// Returns the gap along the direction that a face or two edges define.
+pub(super) fn gap_of(a: &[Vec3<f64>], b: &[Vec3<f64>], features: &HullFeatures) -> f64 {
+    let (a, b) = (
+        features.a.map(|k| a[usize::from(k)]),
+        features.b.map(|k| b[usize::from(k)]),
+    );
+    let face = |[from, p, q]: [Vec3<f64>; 3]| across(p - from, q - from);
+    let normal = match features.pair {
+        FeaturePair::FaceCorner => face(a),
+        FeaturePair::CornerFace => -face(b),
+        _ => across(a[1] - a[0], b[1] - b[0]),
+    };
+    normal.dot(b[0] - a[0])
 }

@@ -66,6 +66,10 @@ fn first_derivatives_are_between_one_sided_differences() {
             let (here, slope) = gradient(|(a, b)| signed_distance(a, b), x);
             let found = inner(&slope, &along);
             assert!(found.is_finite(), "{x:?}");
+            // A kink is within the steps.
+            if here != 0.0 && here.abs() < 1e-4 {
+                continue;
+            }
             let side = |step: f64| (f(moved(&x, &along, step)) - here) / step;
             let [ahead, back, ahead_less, back_less] = [1e-5, -1e-5, 2.5e-6, -2.5e-6].map(side);
             // Another feature within the step.
