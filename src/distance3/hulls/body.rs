@@ -71,7 +71,9 @@ impl<'a> Body<'a> {
             let plane = spanning(points, ring, up);
             let [apex, from, to] = plane.map(|k| points[k]);
             let normal = across(from - apex, to - apex);
-            let thin = is_short((from - apex).cross(to - apex), rounding);
+            let product = (from - apex).cross(to - apex);
+            let narrow = product.length() <= BEYOND * (to - from).length();
+            let thin = narrow || is_short(product, rounding);
             let none = thin || highest(normal, apex) > BEYOND;
             Face {
                 ring: ring.to_vec(),

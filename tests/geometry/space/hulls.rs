@@ -80,10 +80,10 @@ fn hulls_are_as_far_apart_as_the_oracle_says() {
                 );
                 continue;
             }
-            // Near to each other the direction errs by a rounding over the distance.
+            // Features that tie within rounding have directions that differ by its root.
             assert!((out.direction.length() - 1.0).abs() < 1e-13, "{}", told());
             assert!(
-                (slab(&a, &b, out.direction) - found).abs() <= 1e-10 * unit,
+                (slab(&a, &b, out.direction) - found).abs() <= 1e-7 * unit,
                 "{}",
                 told()
             );
