@@ -78,10 +78,12 @@ fn hulls_are_as_far_apart_as_the_oracle_says() {
                 assert!(found.abs() <= near && way.length() <= near, "{}", told());
                 continue;
             }
-            // Features that tie within rounding have directions that differ by its root.
+            // Features that tie within rounding have directions that differ by its root; close to each other the
+            // direction errs by a rounding over the distance.
+            let turn = 1e-7 + 1e-14 * unit / found.abs();
             assert!((out.direction.length() - 1.0).abs() < 1e-13, "{}", told());
             assert!(
-                (slab(&a, &b, out.direction) - found).abs() <= 1e-7 * unit,
+                (slab(&a, &b, out.direction) - found).abs() <= turn * unit,
                 "{}",
                 told()
             );
