@@ -1,26 +1,30 @@
-"""Writes the type stubs of the package, made of the table: `python stubs.py`; `python stubs.py --check` fails when they are stale."""
+"""Writes the type stubs of the package and of its verbs on tensors and JAX's arrays, made of the table: `python stubs.py`;
+`python stubs.py --check` fails when they are stale."""
 
 import keyword
 import pathlib
 import sys
 
 import geograd
-from geograd import _core
+from geograd import _core, _points, _polygons
+from geograd._elementary import ELEMENTARY
 from geograd._verbs import describe, ordered
 
-FILE = pathlib.Path(__file__).parent / "python" / "geograd" / "__init__.pyi"
+FOLDER = pathlib.Path(__file__).parent / "python" / "geograd"
 
 HEAD = '''"""{doc}"""
 
 # Written by stubs.py, from the table of the library.
-from typing import Any, Callable, Iterable, Literal, Optional, Sequence, Tuple, Type, TypeVar, Union, overload
+from typing import Any, Callable, Iterable, Iterator, Literal, Optional, Sequence, Tuple, Type, TypeVar, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import assignment as assignment, metric as metric
+from . import assignment as assignment, metric as metric, suppression as suppression
 
 __version__: str
+WGSL: str
+"""The functions that programs call in WGSL: once in every shader with functions that `wgsl` writes."""
 
 Array = NDArray[Any]
 Kind = Union[str, Type["Shape"], None, Sequence[Union[str, Type["Shape"], None]]]
@@ -28,6 +32,7 @@ Out = Any
 Groups = Optional[Sequence[ArrayLike]]
 Backend = Optional[Literal["cpu", "gpu"]]
 Form = Literal["value", "value_grad", "vjp", "jacobian", "jvp", "hvp", "hessian"]
+Fill = Literal["even_odd", "nonzero"]
 Report = _core.Report
 
 class Symbol:
@@ -40,7 +45,12 @@ class Symbol:
     def __rmul__(self, other: Any) -> Symbol: ...
     def __truediv__(self, other: Any) -> Symbol: ...
     def __rtruediv__(self, other: Any) -> Symbol: ...
-    def __pow__(self, power: float) -> Symbol: ...
+    def __floordiv__(self, other: Any) -> Symbol: ...
+    def __rfloordiv__(self, other: Any) -> Symbol: ...
+    def __mod__(self, other: Any) -> Symbol: ...
+    def __rmod__(self, other: Any) -> Symbol: ...
+    def __pow__(self, exponent: Any) -> Symbol: ...
+    def __rpow__(self, base: Any) -> Symbol: ...
     def __neg__(self) -> Symbol: ...
     def __abs__(self) -> Symbol: ...
     def __lt__(self, other: Any) -> Truth: ...
@@ -63,6 +73,7 @@ class Shape:
     def __array__(self, dtype: Any = ..., copy: Optional[bool] = ...) -> Array: ...
     def __len__(self) -> int: ...
     def __getitem__(self: _Self, key: Any) -> _Self: ...
+    def __iter__(self: _Self) -> Iterator[_Self]: ...
     def __eq__(self, other: object) -> Any:
         """Whether all numbers are equal, row by row; shapes of another kind differ."""
     def __ne__(self, other: object) -> Any: ...
@@ -70,13 +81,23 @@ class Shape:
 _Self = TypeVar("_Self", bound=Shape)
 
 class Paths:
-    """Paths: vertices one after another, and where each path starts; the last offset is the number of vertices."""
+    """Paths: vertices one after another, and where each path starts; the last offset is the number of vertices.
+
+    `paths[i]` is an array of the vertices of one, `paths[i:j]`, and places or truths as an array, are paths.
+    """
     def __init__(self, vertices: ArrayLike, offsets: ArrayLike) -> None: ...
     @property
     def vertices(self) -> Array: ...
     @property
     def offsets(self) -> Array: ...
     def __len__(self) -> int: ...
+    @overload
+    def __getitem__(self, key: int) -> Array: ...
+    @overload
+    def __getitem__(self: _SelfPaths, key: Union[slice, ArrayLike]) -> _SelfPaths: ...
+    def __iter__(self) -> Iterator[Array]: ...
+
+_SelfPaths = TypeVar("_SelfPaths", bound=Paths)
 
 class Rings(Paths):
     """Closed paths: the last vertex of each is joined with its first one."""
@@ -93,6 +114,82 @@ class Clouds(Paths):
     @classmethod
     def of(cls, clouds: Iterable[Any]) -> Clouds: ...
 
+class Polygons:
+    """A column of polygons, each of parts with holes."""
+    def __init__(self, vertices: ArrayLike, offsets: Sequence[ArrayLike]) -> None: ...
+    @classmethod
+    def of(cls, polygons: Any) -> Polygons:
+        """Polygons of a list, of geometries, of rings or of boxes."""
+    @classmethod
+    def from_shapely(cls, geometries: Any) -> Polygons:
+        """Polygons of an array of shapely's polygons and multipolygons, or of a GeoSeries."""
+    def to_shapely(self) -> Array:
+        """An array of shapely's geometries: of a polygon of one part a Polygon, of any other a MultiPolygon."""
+    @classmethod
+    def from_arrow(cls, column: Any) -> Polygons:
+        """Polygons of a GeoArrow column."""
+    def to_arrow(self) -> Any:
+        """A GeoArrow column of multipolygons."""
+    @classmethod
+    def concatenate(cls, columns: Iterable[Any]) -> Polygons:
+        """The polygons of several columns, one after the other."""
+    def tolist(self) -> list[list[list[Array]]]:
+        """The polygons as lists of parts, each a list of rings of shape (V, 2)."""
+    def union_all(self, *, valid: bool = ...) -> Polygons:
+        """The union of all polygons of the column, a column of one."""
+    def make_valid(self, *, fill: Fill = ...) -> Polygons:
+        """The same areas as polygons that are valid by the OGC's rules."""
+    @property
+    def vertices(self) -> Array: ...
+    @property
+    def offsets(self) -> tuple[Array, Array, Array]: ...
+    @property
+    def bounds(self) -> Aabb2: ...
+    def __len__(self) -> int: ...
+    def __getitem__(self, key: Any) -> Polygons: ...
+    def __iter__(self) -> Iterator[Polygons]: ...
+    def __eq__(self, other: object) -> Any: ...
+    def __ne__(self, other: object) -> Any: ...
+
+class _Overlay:
+    __name__: str
+    def __call__(self, a: Any, b: Any, *, fill: Fill = ..., valid: bool = ...) -> Polygons: ...
+    def vjp(self, a: Any, b: Any, upstream: ArrayLike, *, fill: Fill = ..., valid: bool = ...) -> tuple[Array, Array]:
+        """Cotangents of the vertices of both columns, from those of the vertices of the result."""
+
+class _UnionArea:
+    __name__: str
+    def __call__(self, a: Any, b: Any) -> Array: ...
+    def value_grad(self, a: Any, b: Any) -> tuple[Array, tuple[Array, Array]]:
+        """The value of every item, and its gradients by the vertices of both columns."""
+    def vjp(self, a: Any, b: Any, upstream: ArrayLike) -> tuple[Array, Array]:
+        """Cotangents of the vertices of both columns, from those of the values."""
+    def all_pairs(self, a: Any, b: Any) -> Array:
+        """Every polygon of `a` with every polygon of `b`: a matrix."""
+
+union_area: _UnionArea
+
+class _ConvexHull:
+    __name__: str
+    def __call__(self, points: Any) -> Polygons: ...
+    def vjp(self, points: Any, upstream: ArrayLike) -> Array:
+        """Cotangents of all points, from those of the vertices of the hulls."""
+
+convex_hull: _ConvexHull
+
+class _Procrustes:
+    __name__: str
+    def __call__(self, points: Any, targets: Any, weights: Optional[ArrayLike] = ..., *, rigid: bool = ...) -> tuple[Pose3, float]: ...
+    def vjp(
+        self, points: Any, targets: Any, weights: Optional[ArrayLike], pose_bar: ArrayLike, scale_bar: float = ..., *, rigid: bool = ...
+    ) -> tuple[Array, Array, Array]:
+        """Cotangents of points, targets and weights, from those of the pose and of the scale."""
+
+procrustes: _Procrustes
+
+def contains(polygons: Any, points: Any, *, fill: Fill = ...) -> Array:
+    """Whether polygons contain points, item by item, decided exactly; the border belongs to a polygon."""
+
 class Program:
     """The operations of a function, in the order in which they are carried out."""
     @property
@@ -102,6 +199,10 @@ class Program:
     def nodes(self) -> tuple[list[tuple[str, list[int], float]], list[int]]: ...
     def eval(self, input: Sequence[float]) -> list[float]: ...
     def wgsl(self, name: str = ...) -> str: ...
+    def c(self, name: str = ...) -> str: ...
+    def c_header(self, name: str = ...) -> str: ...
+    def cuda(self, name: str = ...) -> str: ...
+    def javascript(self, name: str = ...) -> str: ...
 
 class Reports(Tuple[Any, ...]):
     """What the harness found out, a report for each format."""
@@ -110,9 +211,9 @@ class Reports(Tuple[Any, ...]):
 
 class _Forms:
     def row_max(self, a: Any, b: Any, *, groups: Groups = ..., {kind}backend: Backend = ...) -> tuple[Array, Array]:
-        """The largest result of every row of `a`, and its row of `b`; -inf and -1 in a group without rows of `b`."""
+        """The largest result of every row of `a`, and its row of `b`; -inf and -1 where `b`, or a group, has no rows of `b`."""
     def column_max(self, a: Any, b: Any, *, groups: Groups = ..., {kind}backend: Backend = ...) -> tuple[Array, Array]:
-        """The largest result of every row of `b`, and its row of `a`; -inf and -1 in a group without rows of `a`."""
+        """The largest result of every row of `b`, and its row of `a`; -inf and -1 where `a`, or a group, has no rows of `a`."""
     def all_pairs(self, a: Any, b: Any, *, {kind}out: Out = ..., backend: Backend = ...) -> Array:
         """Every row of `a` with every row of `b`: a matrix."""
     def above(
@@ -136,36 +237,41 @@ class _Forms:
         most: Optional[int] = ..., groups: Optional[ArrayLike] = ..., kind: Kind = ...
     ) -> Array:
         """The places of the shapes that no better one, kept itself, overlaps by more than a threshold, the best first."""
-    def aligned(self, *arguments: Any, {item}) -> Any:
+    def aligned(self, *arguments: Any, {item}, **named: Any) -> Any:
         """Item i of every argument: the plain call under its name."""
-    def value_grad(self, *arguments: Any, {item}) -> tuple[Any, Any]:
-        """The value of every item, and its gradient by every argument."""
+    def value_grad(self, *arguments: Any, {item}, **named: Any) -> tuple[Array, Any]:
+        """The value of every item, one number, and its gradient by every argument: of every item, also by one row that
+        stands for all; sum over items for its gradient of the sum."""
     def vjp(self, *arguments: Any, {item}) -> Any:
         """Cotangents of the arguments; those of the result come last."""
     def jvp(self, *arguments: Any, {item}) -> tuple[Any, Any]:
         """The value and its derivative along directions, which come after the arguments."""
     def hvp(self, *arguments: Any, {item}) -> Any:
         """The derivative of the gradient along directions, which come after the arguments."""
-    def jacobian(self, *arguments: Any, {item}) -> Array:
+    def jacobian(self, *arguments: Any, {item}, **named: Any) -> Array:
         """The derivatives of every number of the result by every number of the arguments."""
-    def hessian(self, *arguments: Any, {item}) -> Array:
+    def hessian(self, *arguments: Any, {item}, **named: Any) -> Array:
         """The second derivatives by all numbers of the arguments."""
 
 class Verb(_Forms):
     """A function of shapes, of which the shapes choose the row."""
     __name__: str
     def program(self, *, kind: Kind, to: Kind = ..., form: Form = ..., double: bool = ...) -> Program: ...
+    def javascript(self, *, kind: Kind, to: Kind = ..., form: Form = ..., name: Optional[str] = ...) -> str: ...
 
 class Function(_Forms):
     """A function that is recorded once, at its first call, and then runs on arrays."""
     __name__: str
     __wrapped__: Callable[..., Any]
     def __init__(self, function: Callable[..., Any]) -> None: ...
-    def __call__(self, *arguments: Any, out: Out = ..., backend: Backend = ...) -> Any: ...
+    def __call__(self, *arguments: Any, out: Out = ..., backend: Backend = ..., **named: Any) -> Any: ...
+    def __get__(self, instance: object, owner: Any = ...) -> Function:
+        """The function of an object's method."""
     @property
     def program(self) -> Program: ...
     def program_of(self, form: Form = ..., dtype: Any = ...) -> Program: ...
     def wgsl(self, name: Optional[str] = ...) -> str: ...
+    def javascript(self, name: Optional[str] = ..., form: Form = ...) -> str: ...
 
 def function(f: Callable[..., Any]) -> Function:
     """Records a function of annotated arguments once, and runs it on arrays, with all its derivatives."""
@@ -191,9 +297,9 @@ def check(
     """Runs the harness on the derivatives of a function, prints its report and returns it."""
 
 def set_num_threads(threads: int) -> None:
-    """Sets how many threads calls use."""
+    """Sets how many threads calls use, from 1 to 1024."""
 def get_num_threads() -> int:
-    """How many threads calls use: GEOGRAD_THREADS, or all."""
+    """How many threads calls use: GEOGRAD_THREADS, or as many as there are processors."""
 def sees(points: Union[Vec3, ArrayLike], camera: Union[Pinhole, BrownConrady, Fisheye]) -> Array:
     """Whether each camera sees each point of its frame, an array of truths: where not, the pixel of `project` means nothing."""
 def where(condition: Any, a: Any, b: Any) -> Any:
@@ -233,12 +339,53 @@ def field_groups(fields):
         yield head, kind
 
 
+#: Paths by their kinds; of the plane and of space they have one class.
+PATHS = {"ring": "Rings", "polyline": "Polylines", "polyline3": "Polylines", "cloud3": "Clouds"}
+
+
+def overloads(name):
+    """The calls of a verb, each with the types that it takes and gives: one for all rows that differ in neither."""
+    made, by_result = {}, {}
+    for row in ordered(name):
+        names = [argument for argument, _, _ in row["takes"]] + (["paths"] if row["sort"] == "fold" else [])
+        kinds = tuple({"number": "ArrayLike", **PATHS}.get(kind, kind) for kind in row["kinds"])
+        (_, gives, size), *more = row["gives"]
+        result = "Any" if more else gives if size else "Array"
+        takes = ", ".join(f"{argument}: {kind}" for argument, kind in zip(names, kinds))
+        by_result.setdefault(kinds, {})[result] = takes
+    for kinds, results in by_result.items():
+        if len(results) > 1 and all(result not in ("Any", "Array") for result in results):
+            # One of them by `to`.
+            for result, takes in results.items():
+                made[kinds, result] = takes, f"Union[Type[{result}], Literal[\"{result}\"]]"
+        else:
+            (result, takes), *more = results.items()
+            made[kinds, "Any" if more else result] = takes, "Kind = ..."
+    return [(takes, to, result) for (_, result), (takes, to) in made.items()]
+
+
+def gradients(name):
+    """The type of the gradients of a verb: one by every argument, or the only one."""
+    counts = {len(row["kinds"]) == 1 for row in ordered(name)}
+    return "Any" if len(counts) > 1 else "Array" if True in counts else "tuple[Array, ...]"
+
+
+def polygons(verb):
+    """The overloads of a verb for polygons and sets of points: what each takes and gives."""
+    if verb in _polygons.VERBS:
+        takes, gives = _polygons.VERBS[verb]
+        yield takes.replace("point: Vec2", "point: Union[Vec2, Array]"), "Array" if gives == "number" else gives
+    if verb in _points.VERBS:
+        yield "points: Union[Paths, Polygons]", _points.VERBS[verb] or "Array"
+
+
 def stubs():
     lines = [HEAD.format(doc=geograd.__doc__, item=ITEM, kind="kind: Kind = ..., ").replace("Report = _core.Report\n", "")]
-    for name in ("sqrt", "square", "sin", "cos", "tan", "exp", "log"):
-        lines.append(f"def {name}(x: Any) -> Any:\n" + documented(getattr(geograd, name).__doc__, "    "))
-    for name in ("arctan2", "hypot", "copysign", "minimum", "maximum"):
-        lines.append(f"def {name}(a: Any, b: Any) -> Any:\n" + documented(getattr(geograd, name).__doc__, "    "))
+    for name, count in ELEMENTARY.items():
+        symbolic = ["x: Symbol"] if count == 1 else ["a: Symbol, b: Union[Symbol, float]", "a: float, b: Symbol"]
+        takes = "x: ArrayLike" if count == 1 else "a: ArrayLike, b: ArrayLike"
+        for own, gives in [*((own, "Symbol") for own in symbolic), (takes, "Any")]:
+            lines.append(f"@overload\ndef {name}({own}) -> {gives}:\n" + documented(getattr(geograd, name).__doc__, "    "))
     for name, fields, _ in sorted(_core.shapes()):
         if fields:
             cls = getattr(geograd, name)
@@ -246,24 +393,110 @@ def stubs():
             lines.append("    def __init__(self, *numbers: Any, **named: Any) -> None: ...")
             for head, kind in field_groups(fields):
                 lines.append(f"    @property\n    def {head}(self) -> {kind}: ...")
+            if name in ("Vec2", "Vec3"):
+                lines.append(VECTOR.format(name=name))
     for name in sorted(_core.verbs()):
         lines.append(f"\nclass _{name}(Verb):\n" + documented(describe(name), "    "))
-        for row in ordered(name):
-            names = [argument for argument, _, _ in row["takes"]] + (["paths"] if row["sort"] == "fold" else [])
-            kinds = [{"number": "ArrayLike", **dict.fromkeys(("ring", "polyline", "polyline3", "cloud3"), "Paths")}.get(kind, kind) for kind in row["kinds"]]
-            takes = ", ".join(f"{argument}: {kind}" for argument, kind in zip(names, kinds))
-            (_, gives, size), *more = row["gives"]
-            result = "Any" if more else gives if size else "Array"
+        for takes, to, result in overloads(name):
             lines.append("    @overload")
-            to = "to: Kind = ..., "
-            lines.append(f"    def __call__(self, {takes}, /, *, kind: None = ..., {to}out: Out = ..., backend: Backend = ...) -> {result}: ...")
+            lines.append(f"    def __call__(self, {takes}, /, *, kind: None = ..., to: {to}, out: Out = ..., backend: Backend = ...) -> {result}: ...")
+        for takes, gives in polygons(name):
+            lines.append(f"    @overload\n    def __call__(self, {takes}, /) -> {gives}: ...")
         lines.append("    @overload\n    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...")
+        lines.append(f"    def value_grad(self, *arguments: Any, {ITEM}, **named: Any) -> tuple[Array, {gradients(name)}]: ...")
         lines.append(f"\n{name}: _{name}")
+    for name in sorted(_polygons.OVERLAYS):
+        lines.append(f"\n{name}: _Overlay\n" + documented(_polygons.OVERLAYS[name].__doc__, ""))
     return "\n".join(lines) + "\n"
 
 
+VECTOR = '''    def __add__(self, other: {name}) -> {name}: ...
+    def __sub__(self, other: {name}) -> {name}: ...
+    def __mul__(self, factor: Any) -> {name}: ...
+    def __rmul__(self, factor: Any) -> {name}: ...
+    def __truediv__(self, factor: Any) -> {name}: ...
+    def __neg__(self) -> {name}: ...
+    def dot(self, other: {name}) -> Any: ...
+    def length(self) -> Any: ...'''
+
+ON_TENSORS = '''# Written by stubs.py, from the table of the library.
+from typing import Any, Generic, Optional, Sequence, Type, TypeVar, Union
+
+import torch
+
+from geograd import Shape
+
+Kind = Union[str, Type[Shape], None, Sequence[Union[str, Type[Shape], None]]]
+Argument = Union[torch.Tensor, float]
+Offsets = Union[torch.Tensor, Sequence[int], Any]
+_Result = TypeVar("_Result", covariant=True)
+
+class Verb(Generic[_Result]):
+    """A verb on tensors, with derivatives of any order."""
+    __name__: str
+    def __init__(self, name: str) -> None: ...
+    def __call__(self, *arguments: Argument, kind: Kind = ..., to: Kind = ...) -> _Result: ...
+    def all_pairs(self, a: torch.Tensor, b: torch.Tensor, *, kind: Kind = ...) -> torch.Tensor: ...
+    def sum(self, a: torch.Tensor, b: torch.Tensor, *, kind: Kind = ...) -> torch.Tensor: ...
+    def mean(self, a: torch.Tensor, b: torch.Tensor, *, kind: Kind = ...) -> torch.Tensor: ...
+    def row_max(
+        self, a: torch.Tensor, b: torch.Tensor, *, groups: Optional[Sequence[Offsets]] = ..., kind: Kind = ...
+    ) -> tuple[torch.Tensor, torch.Tensor]: ...
+    def column_max(
+        self, a: torch.Tensor, b: torch.Tensor, *, groups: Optional[Sequence[Offsets]] = ..., kind: Kind = ...
+    ) -> tuple[torch.Tensor, torch.Tensor]: ...
+    def above(
+        self, a: torch.Tensor, b: torch.Tensor, threshold: float, *, groups: Optional[Sequence[Offsets]] = ..., kind: Kind = ...
+    ) -> tuple[torch.Tensor, torch.Tensor, torch.Tensor]: ...
+    def count_above(self, a: torch.Tensor, b: torch.Tensor, threshold: float, *, kind: Kind = ...) -> int: ...
+    def suppress(
+        self, shapes: torch.Tensor, scores: torch.Tensor, overlap: float, *, classes: Optional[Offsets] = ...,
+        score: Optional[float] = ..., most: Optional[int] = ..., groups: Optional[Offsets] = ..., kind: Kind = ...
+    ) -> torch.Tensor: ...
+
+'''
+
+ON_ARRAYS = '''# Written by stubs.py, from the table of the library.
+from typing import Any, Generic, Sequence, Type, TypeVar, Union
+
+import jax
+from jax.typing import ArrayLike
+
+from geograd import Shape
+
+Kind = Union[str, Type[Shape], None, Sequence[Union[str, Type[Shape], None]]]
+_Result = TypeVar("_Result", covariant=True)
+
+class Verb(Generic[_Result]):
+    """A verb on JAX's arrays, with derivatives of any order."""
+    __name__: str
+    def __init__(self, name: str) -> None: ...
+    def __call__(self, *arguments: ArrayLike, kind: Kind = ..., to: Kind = ...) -> _Result: ...
+    def all_pairs(self, a: ArrayLike, b: ArrayLike, *, kind: Kind = ...) -> jax.Array: ...
+
+'''
+
+
+def verbs_on(head, result):
+    """The verbs on tensors or arrays."""
+    lines = [head.rstrip("\n"), "", f"__all__ = {sorted(_core.verbs())!r}".replace("'", '"'), ""]
+    for name in sorted(_core.verbs()):
+        several = any(len(row["gives"]) > 1 for row in ordered(name))
+        lines.append(f"{name}: Verb[{'Any' if several else result}]")
+    return "\n".join(lines) + "\n"
+
+
+def all_stubs():
+    return {
+        "__init__.pyi": stubs(),
+        "_torch_verbs.pyi": verbs_on(ON_TENSORS, "torch.Tensor"),
+        "_jax_verbs.pyi": verbs_on(ON_ARRAYS, "jax.Array"),
+    }
+
+
 if __name__ == "__main__":
-    text = stubs()
-    if "--check" in sys.argv:
-        sys.exit(0 if FILE.read_text() == text else f"{FILE} is stale: run python {__file__}")
-    FILE.write_text(text)
+    for name, text in all_stubs().items():
+        if "--check" not in sys.argv:
+            (FOLDER / name).write_text(text)
+        elif (FOLDER / name).read_text() != text:
+            sys.exit(f"{FOLDER / name} is stale: run python {__file__}")

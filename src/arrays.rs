@@ -1,7 +1,7 @@
 //! Lists of fixed size, element by element.
 
 /// Arrays with a function of every element.
-pub trait Each<T> {
+pub(crate) trait Each<T> {
     /// A list of this length with other elements.
     type Of<U: Copy>: Copy + AsRef<[U]>;
     /// Returns the results of a function of every element, first element first. Builds without optimisation compile

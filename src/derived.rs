@@ -112,11 +112,13 @@ pub use geograd_derive::Shape;
     label = "write `#[derive(Clone, Copy, Debug, PartialEq, Shape)]`",
     note = "further errors of `derive(Shape)` follow from this one"
 )]
+#[doc(hidden)]
 pub trait Standard {}
 #[diagnostic::do_not_recommend]
 impl<T: Copy + std::fmt::Debug + PartialEq> Standard for T {}
 
 /// A shape of numbers: the first implementation of the derive, so that the compiler reports first what is missing.
+#[doc(hidden)]
 pub trait Derived: Standard {}
 
 /// Returns the flaw of scalar `i` of a part that begins at scalar `at` of a shape.

@@ -379,11 +379,15 @@ impl fmt::Display for Unrecordable {
             Unrecordable::Hint => {
                 "the value depends on the answers of `any` or `all`, which are only hints"
             }
-            Unrecordable::Codes => "there are whole numbers in its input or result",
-            Unrecordable::Search => "it searches, and a program is a straight line",
+            Unrecordable::Codes => {
+                "its shapes have whole numbers, such as a count of vertices: it has value and first derivatives only"
+            }
+            Unrecordable::Search => {
+                "it searches, as functions of polygons do: it has value and first derivatives only"
+            }
             Unrecordable::TooLong => "there are too many operations",
             Unrecordable::Name => "the name is reserved or not an identifier",
-            Unrecordable::Path => "it takes a path of any length, and a program has one length",
+            Unrecordable::Path => "it takes a path of any length: it has value and first derivatives only",
             Unrecordable::Nested => "another recording is open on this thread",
         })
     }

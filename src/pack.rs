@@ -2,8 +2,8 @@
 //!
 //! [`Pack`] flattens a shape into scalars, and `With<T>` is this shape over `T`: a gradient is a shape, a Hessian a
 //! shape of gradients. [`Fixed`] adds a constant length, loads and stores slices, and names every scalar for errors.
-use crate::Scalar;
 use crate::error::{Field, Flaw, Validate};
+use crate::{Real, Scalar};
 
 pub use crate::scalar::number::{Fixed, Pack};
 
@@ -50,7 +50,7 @@ leaf! {
     [] f32,
     [] f64,
     [T: Scalar, const N: usize] crate::Jet<T, N>,
-    [T: crate::scalar::float::Float, const N: usize] crate::Lanes<T, N>,
+    [T: Real, const N: usize] crate::Lanes<T, N>,
     [T: Copy + Send + Sync + 'static] num_dual::Real<T>,
     [T: Copy + Send + Sync + 'static] num_dual::Dual<T>,
     [T: Copy + Send + Sync + 'static] num_dual::Dual2<T>,

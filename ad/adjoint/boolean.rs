@@ -1,18 +1,53 @@
 //! Adjoint of boolean operations: cotangents of the vertices of a result go back to both inputs by the
 //! record of where each is from.
-use crate::boolean::{Origin, OverlayTrace, foot, input_edge, input_vertex};
+use crate::boolean::{
+    Origin, OverlayTrace, ValidOrigin, ValidTrace, foot, input_edge, input_vertex,
+};
 use crate::clipping::crossing::meet;
 use crate::polygon::Rings;
 use crate::{Scalar, Vec2};
 
 /// The cotangents of both inputs, by ring and vertex.
-struct Bars<'b, S> {
+struct Bars<'a, 'b, S> {
+    inputs: [Rings<'a, S>; 2],
     all: [&'b mut [Vec2<S>]; 2],
     /// The number of the first vertex of each ring.
     firsts: [Vec<usize>; 2],
 }
 
-impl<S: Scalar> Bars<'_, S> {
+impl<'a, 'b, S: Scalar> Bars<'a, 'b, S> {
+    fn new(inputs: [Rings<'a, S>; 2], [a_bar, b_bar]: [&'b mut [Vec2<S>]; 2]) -> Self {
+        let [count_a, count_b] = inputs.map(|rings| rings.vertex_count());
+        let all = [&mut a_bar[..count_a], &mut b_bar[..count_b]];
+        let firsts = inputs.map(|rings| {
+            let starts = rings.iter().scan(0, |next, ring| {
+                *next += ring.len();
+                Some(*next - ring.len())
+            });
+            starts.collect()
+        });
+        let mut bars = Bars {
+            inputs,
+            all,
+            firsts,
+        };
+        for bar in bars.all.iter_mut().flat_map(|all| all.iter_mut()) {
+            *bar = Vec2::zero();
+        }
+        bars
+    }
+    /// Adds the cotangent of the mean of some points.
+    fn add_mean(&mut self, origins: &[Origin], bar: Vec2<S>) {
+        let bar = bar * S::lit(1.0 / origins.len() as f64);
+        for &origin in origins {
+            pull(self.inputs, origin, bar, self);
+        }
+    }
+    fn finish(self) {
+        for bar in self.all.into_iter().flatten() {
+            *bar = bar.saturated().canonical();
+        }
+    }
     fn add(&mut self, owner: usize, ring: usize, vertex: usize, bar: Vec2<S>) {
         self.all[owner][self.firsts[owner][ring] + vertex] += bar;
     }
@@ -61,37 +96,47 @@ pub fn overlay_vjp<'a, S: Scalar>(
     a_bar: &mut [Vec2<S>],
     b_bar: &mut [Vec2<S>],
 ) {
-    let inputs = [a.into(), b.into()];
-    let [counts_a, counts_b] = inputs.map(|rings| rings.vertex_count());
-    let mut bars = Bars {
-        all: [&mut a_bar[..counts_a], &mut b_bar[..counts_b]],
-        firsts: inputs.map(|rings| {
-            let starts = rings.iter().scan(0, |next, ring| {
-                *next += ring.len();
-                Some(*next - ring.len())
-            });
-            starts.collect()
-        }),
-    };
-    for bar in bars.all.iter_mut().flat_map(|all| all.iter_mut()) {
-        *bar = Vec2::zero();
-    }
+    let mut bars = Bars::new([a.into(), b.into()], [a_bar, b_bar]);
     for (origins, &bar) in trace.origins().zip(out_bar) {
-        let bar = bar * S::lit(1.0 / origins.len() as f64);
-        for &origin in origins {
-            pull(inputs, origin, bar, &mut bars);
+        bars.add_mean(origins, bar);
+    }
+    bars.finish();
+}
+
+/// Returns the cotangents of both inputs of [`valid_replay`](crate::boolean::valid_replay) from those of the vertices of
+/// the result, one part and one ring after the other. The input has one cotangent per vertex, one ring after the other.
+/// A vertex passes its cotangent to its origin, as in [`overlay_vjp`]; a point at a fixed fraction of an edge shares them
+/// between its ends.
+///
+/// # Panics
+///
+/// When the record is of other inputs, or a list of cotangents is too short.
+pub fn valid_vjp<'a, S: Scalar>(
+    a: impl Into<Rings<'a, S>>,
+    b: impl Into<Rings<'a, S>>,
+    trace: &ValidTrace,
+    out_bar: &[Vec2<S>],
+    a_bar: &mut [Vec2<S>],
+    b_bar: &mut [Vec2<S>],
+) {
+    let mut bars = Bars::new([a.into(), b.into()], [a_bar, b_bar]);
+    for (made, &bar) in trace.made.iter().zip(out_bar) {
+        match made {
+            ValidOrigin::Of(origins) => bars.add_mean(origins, bar),
+            &ValidOrigin::Along(edge, share) => {
+                let (_, end) = input_edge(bars.inputs, edge);
+                bars.add_along(edge, end, S::lit(share), bar);
+            }
         }
     }
-    for bar in bars.all.into_iter().flatten() {
-        *bar = bar.saturated().canonical();
-    }
+    bars.finish();
 }
 
 fn pull<S: Scalar>(
     inputs: [Rings<'_, S>; 2],
     origin: Origin,
     bar: Vec2<S>,
-    bars: &mut Bars<'_, S>,
+    bars: &mut Bars<'_, '_, S>,
 ) {
     match origin {
         Origin::Vertex(id) => bars.add(id.owner as usize, id.ring, id.vertex, bar),

@@ -12,6 +12,7 @@ pub mod overlap_mixed;
 pub mod overlap_polygon;
 pub mod overlap_quad;
 pub mod overlap_rings;
+pub mod polygon;
 pub mod ring;
 pub mod suppression;
 pub mod upright;

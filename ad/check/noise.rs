@@ -63,7 +63,7 @@ rounded! {
     Mul mul |a, b, x| a.mul_add(b, -x) == 0.0;
     Div div |a, b, x| x.mul_add(b, -a) == 0.0;
 }
-wrapped_operators!(Noisy);
+wrapped_operators!(Noisy, |x| Noisy(-x.0));
 
 impl<T: Real> Scalar for Noisy<T> {
     wrapped!(Noisy of T);

@@ -86,6 +86,10 @@ pub(crate) fn of_num_duals<S: Real>(list: Vec<S::NumDual>) -> (Vec<f64>, Vec<f64
 }
 
 impl<T: Real> Traced<T> {
+    #[inline(always)]
+    fn both(self, other: Self, of: impl Fn(T, T) -> T) -> Self {
+        Traced(of(self.0, other.0))
+    }
     /// Records a comparison and returns its outcome.
     #[inline(always)]
     fn note(self, other: Self, outcome: bool) -> bool {
@@ -147,9 +151,9 @@ macro_rules! wrapped {
         }
     };
 }
-/// Implements the operators of a wrapper that follow from others.
+/// Implements the operators of a wrapper that follow from others; `$negated` is the value of `-$x`.
 macro_rules! wrapped_operators {
-    ($wrapper:ident) => {
+    ($wrapper:ident, |$x:ident| $negated:expr) => {
         impl<T: Real> AddAssign for $wrapper<T> {
             #[inline(always)]
             fn add_assign(&mut self, other: Self) {
@@ -172,7 +176,8 @@ macro_rules! wrapped_operators {
             type Output = Self;
             #[inline(always)]
             fn neg(self) -> Self {
-                $wrapper(-self.0)
+                let $x = self;
+                $negated
             }
         }
         crate::pack::leaf! {
@@ -180,27 +185,22 @@ macro_rules! wrapped_operators {
         }
     };
 }
-pub(crate) use {wrapped, wrapped_operators};
-
-/// Implements operators that compute a value and record nothing.
+/// Implements operators that compute a value and record nothing, by the method `both` of a wrapper.
 macro_rules! forward {
-    ($($operator:ident $method:ident;)*) => { $(
-        impl<T: Real> $operator for Traced<T> {
+    ($wrapper:ident: $($operator:ident $method:ident),*) => { $(
+        impl<T: Real> $operator for $wrapper<T> {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
-                Traced(self.0.$method(other.0))
+                self.both(other, T::$method)
             }
         }
     )* };
 }
-forward! {
-    Add add;
-    Sub sub;
-    Mul mul;
-    Div div;
-}
-wrapped_operators!(Traced);
+pub(crate) use {forward, wrapped, wrapped_operators};
+
+forward!(Traced: Add add, Sub sub, Mul mul, Div div);
+wrapped_operators!(Traced, |x| Traced(-x.0));
 
 impl<T: Real> Scalar for Traced<T> {
     wrapped!(Traced of T);

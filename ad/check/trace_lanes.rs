@@ -1,7 +1,7 @@
 //! Branch tracing of several inputs side by side: a program reads each of its nodes once for all of them.
 //!
 //! Values and traces equal those of [`Traced`](crate::ad::check::trace::Traced) for each input, to the bit.
-use crate::ad::check::trace::Trace;
+use crate::ad::check::trace::{Trace, forward, wrapped_operators};
 use crate::{Mask, Real, Scalar};
 use std::cell::RefCell;
 use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, Sub, SubAssign};
@@ -98,49 +98,8 @@ impl<T: Real> TracedLanes<T> {
     }
 }
 
-/// Operators that only change the values.
-macro_rules! operators {
-    ($($operator:ident $method:ident;)*) => { $(
-        impl<T: Real> $operator for TracedLanes<T> {
-            type Output = Self;
-            #[inline(always)]
-            fn $method(self, other: Self) -> Self {
-                self.both(other, T::$method)
-            }
-        }
-    )* };
-}
-operators! {
-    Add add;
-    Sub sub;
-    Mul mul;
-    Div div;
-}
-macro_rules! assigned {
-    ($($operator:ident $method:ident $by:tt;)*) => { $(
-        impl<T: Real> $operator for TracedLanes<T> {
-            #[inline(always)]
-            fn $method(&mut self, other: Self) {
-                *self = *self $by other;
-            }
-        }
-    )* };
-}
-assigned! {
-    AddAssign add_assign +;
-    SubAssign sub_assign -;
-    MulAssign mul_assign *;
-}
-impl<T: Real> Neg for TracedLanes<T> {
-    type Output = Self;
-    #[inline(always)]
-    fn neg(self) -> Self {
-        self.each(T::neg)
-    }
-}
-crate::pack::leaf! {
-    [T: Real] TracedLanes<T>,
-}
+forward!(TracedLanes: Add add, Sub sub, Mul mul, Div div);
+wrapped_operators!(TracedLanes, |x| x.each(T::neg));
 
 impl<T: Real> Scalar for TracedLanes<T> {
     type Mask = Outcomes;

@@ -41,12 +41,16 @@
 //! `record` calls the function with symbols; `simplify` keeps the graph in exact normal form as it grows. `reverse` and
 //! `forward` append gradients and products with Jacobian and Hessian as further nodes, so these are programs, too. A
 //! choice passes its cotangent on together with the path on which it counts, so the branch not taken contributes
-//! nothing. `print` writes text, `wgsl` a shader function.
+//! nothing. `print` writes text; `source` programs in other languages, of which `wgsl`, `c` and
+//! `javascript` are dialects.
+pub(crate) mod blocks;
+pub(crate) mod c;
 mod cost;
 mod derivative;
 pub(crate) mod evaluate;
 pub(crate) mod graph;
 mod in_progress;
+pub(crate) mod javascript;
 pub(crate) mod opened;
 mod packed;
 pub(crate) mod print;
@@ -54,6 +58,7 @@ pub(crate) mod record;
 pub(crate) mod recorded;
 mod reverse;
 mod simplify;
+pub(crate) mod source;
 mod sym;
 mod tangent;
 mod typed;

@@ -1,5 +1,5 @@
 //! The recording of a function, and the test that the recording equals the function.
-use super::graph::{Id, Node};
+use super::graph::{Graph, Id, Node};
 use super::in_progress::Recording;
 use super::packed::numbers;
 use super::recorded::Recorded;
@@ -68,16 +68,29 @@ fn recorded<T: Real>(
     inputs: usize,
     function: Listed<'_, T>,
 ) -> Result<(Recorded, usize), Unrecordable> {
-    let (outputs, recording) = run(false, &mut || {
-        let symbols: Vec<Sym<T>> = (0..inputs)
-            .map(|place| Sym::leaf(Node::Input(place as u32)))
-            .collect();
-        function(&symbols)
-    });
+    let (outputs, recording) = run(false, &mut || function(&symbols(inputs)));
     let mut recording = recording?;
     let outputs = places(&mut recording, &outputs)?;
     let recorded = Recorded::new(recording.graph, inputs, &outputs).checked_constants()?;
     Ok((recorded, recording.hints))
+}
+
+/// Returns the graph of a straight line of plain numbers and its results, of which zeros keep their signs. It may have
+/// infinite constants.
+pub(super) fn graph_of<T: Real>(
+    inputs: usize,
+    function: Listed<'_, T>,
+) -> Result<(Graph, Vec<Id>), Unrecordable> {
+    let (outputs, recording) = run(false, &mut || function(&symbols(inputs)));
+    let mut recording = recording?;
+    let outputs = places(&mut recording, &outputs)?;
+    Ok(recording.graph.lowered(&outputs))
+}
+
+/// Returns the symbols of an input.
+fn symbols<T: Real>(inputs: usize) -> Vec<Sym<T>> {
+    let places = 0..inputs as u32;
+    places.map(|place| Sym::leaf(Node::Input(place))).collect()
 }
 
 /// Runs a body in a recording.

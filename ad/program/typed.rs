@@ -6,7 +6,7 @@ use super::print::print;
 use super::record::record;
 use super::recorded::Recorded;
 use super::sym::Sym;
-use super::wgsl;
+use super::{c, javascript, wgsl};
 use crate::scalar::real::OneNumber;
 use crate::scalar::{Guard, guarded};
 use crate::{Error, Fixed, Real, Scalar};
@@ -269,6 +269,86 @@ impl<In: Fixed<Scalar = f32>, Out: Fixed<Scalar = f32>> Program<In, Out> {
     pub fn wgsl(&self, name: &str) -> Result<String, Error> {
         wgsl::checked(name).map_err(Error::Program)?;
         Ok(wgsl::function(name, &self.recorded))
+    }
+}
+
+impl<In: Fixed<Scalar = f64>, Out: Fixed<Scalar = f64>> Program<In, Out> {
+    /// Returns the program as a module of JavaScript that exports a function of this name: from a list of numbers to a
+    /// list of numbers, in the order of the fields. It needs nothing else, and its results have the bits of
+    /// [`eval`](Program::eval).
+    ///
+    /// ```
+    /// use geograd::ad::program::{Program, Sym};
+    /// use geograd::Vec2;
+    /// let length = Program::trace(|v: Vec2<Sym<f64>>| v.length())?;
+    /// let module = length.value_grad().javascript("length")?;
+    /// assert!(module.contains("export function length(x) {"));
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// If the name is not an identifier, or has a meaning in JavaScript or in the module.
+    pub fn javascript(&self, name: &str) -> Result<String, Error> {
+        javascript::checked(name).map_err(Error::Program)?;
+        let input = |i| In::name(i).to_string();
+        Ok(javascript::module(name, &self.recorded, input))
+    }
+}
+
+impl<In: Fixed, Out: Fixed<Scalar = In::Scalar>> Program<In, Out>
+where
+    In::Scalar: Real,
+{
+    /// Returns the program as a function of C, `void NAME(const double *x, double *out)`, of `float` for `f32`: from
+    /// numbers to numbers, in the order of the fields. It is C99 and C++, allocates nothing, calls `fabs`, `floor` and
+    /// `sqrt` alone, and has the bits of [`eval`](Program::eval) if a compiler does not contract products and sums.
+    ///
+    /// ```
+    /// use geograd::ad::program::{Program, Sym};
+    /// use geograd::Vec2;
+    /// let length = Program::trace(|v: Vec2<Sym<f64>>| v.length())?;
+    /// let source = length.value_grad().c("length")?;
+    /// assert!(source.contains("void length(const double *x, double *out) {"));
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// If the name is not an identifier, or has a meaning in C, C++, CUDA or in the text.
+    pub fn c(&self, name: &str) -> Result<String, Error> {
+        c::checked(name).map_err(Error::Program)?;
+        Ok(c::function(name, &self.recorded, |i| {
+            In::name(i).to_string()
+        }))
+    }
+    /// Returns the header of [`c`](Program::c), which names the numbers.
+    ///
+    /// # Errors
+    ///
+    /// As `c`.
+    pub fn c_header(&self, name: &str) -> Result<String, Error> {
+        c::checked(name).map_err(Error::Program)?;
+        Ok(c::header(name, &self.recorded, |i| In::name(i).to_string()))
+    }
+    /// Returns the program as a kernel of CUDA over rows, `NAME(count, inner, of_x, x_step, x_inner, out0)`: a thread
+    /// computes row `i inner + j` of `out0` from the row of `of_x` at `i x_step + j x_inner`. NVRTC compiles it without
+    /// headers.
+    ///
+    /// # Errors
+    ///
+    /// As [`c`](Program::c).
+    pub fn cuda(&self, name: &str) -> Result<String, Error> {
+        c::checked(name).map_err(Error::Program)?;
+        let arguments = [("x".to_owned(), In::LEN)];
+        let input = |i| In::name(i).to_string();
+        Ok(c::kernel(
+            name,
+            &self.recorded,
+            &arguments,
+            &[Out::LEN],
+            input,
+        ))
     }
 }
 

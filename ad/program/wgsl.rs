@@ -4,6 +4,7 @@
 //! [`program`](super).
 use super::graph::{Graph, Id, Node};
 use super::recorded::Recorded;
+use super::source::{self, Dialect, expression, lines, listed};
 use crate::Unrecordable;
 use std::fmt::Write;
 
@@ -20,22 +21,11 @@ const USED: &str =
 
 /// Returns `Ok` for a name that a function of a shader with [`WGSL`] may have.
 pub(crate) fn checked(name: &str) -> Result<(), Unrecordable> {
-    let letters = |c: char| c == '_' || c.is_ascii_alphanumeric();
-    let identifier = name.chars().all(letters)
-        && name.starts_with(|c: char| c == '_' || c.is_ascii_alphabetic())
-        && name != "_"
-        && !name.starts_with("__")
-        && !name.starts_with("program_");
-    let kept = || RESERVED.split_whitespace().chain(USED.split_whitespace());
-    match identifier && kept().all(|word| word != name) {
-        true => Ok(()),
-        false => Err(Unrecordable::Name),
-    }
+    let words = RESERVED.split_whitespace().chain(USED.split_whitespace());
+    source::checked(name, words)
 }
 
-/// Returns the program as a function. One `let` per operation: deep expressions overflow the stacks of
-/// compilers (gfx-rs/wgpu#5759, #9497). A constant is a `let`, too, so that no compiler computes
-/// with it and finds an overflow where the program would go on.
+/// Returns the program as a function.
 pub(crate) fn function(name: &str, recorded: &Recorded) -> String {
     function_of(
         name,
@@ -64,30 +54,64 @@ pub(crate) fn function_of(
 ) -> String {
     let count = outputs.len();
     let mut text = format!("fn {name}(x: array<f32, {inputs}>) -> array<f32, {count}> {{\n");
-    let mut known: Vec<String> = Vec::with_capacity(graph.len());
     let kept = kept(graph, taken);
+    let wgsl = Wgsl { graph, kept, taken };
+    let known = lines(&wgsl, graph, &mut text);
+    let results = listed(outputs, &known);
     // Writing to a string does not fail.
-    for (i, &node) in graph.nodes().iter().enumerate() {
+    let _ = writeln!(text, "    return array<f32, {count}>({results});\n}}");
+    text
+}
+
+/// The language, for one graph.
+struct Wgsl<'a> {
+    graph: &'a Graph,
+    /// `true` for the numbers that a driver must compute as they are written.
+    kept: Vec<bool>,
+    taken: &'a [Taken],
+}
+
+impl Dialect for Wgsl<'_> {
+    const SIGNS: [&'static str; 3] = ["==", "&", "|"];
+
+    fn shares(&self) -> [&'static str; 2] {
+        ["0f", "0.5f"]
+    }
+    fn defines(&self, _node: Node) -> &'static str {
+        "let"
+    }
+
+    fn literal(&self, x: f64) -> String {
+        literal(x as f32)
+    }
+    fn extreme(&self, is_most: bool, a: &str, b: &str) -> String {
+        let name = if is_most { "max" } else { "min" };
+        format!("{name}({a}, {b})")
+    }
+    fn magnitude(&self, x: &str) -> String {
+        format!("abs({x})")
+    }
+    fn select(&self, mask: &str, yes: &str, no: &str) -> String {
+        format!("select({no}, {yes}, {mask})")
+    }
+    fn is_number(&self, x: &str) -> String {
+        // By bits, since a driver may assume that no number is NaN.
+        format!("((bitcast<u32>({x}) & 0x7fffffffu) <= 0x7f800000u)")
+    }
+    fn name(&self, id: usize, node: Node) -> String {
         let own = match node {
-            Node::Input(place) => taken.get(place as usize).map(|x| x.name.clone()),
+            Node::Input(place) => self.taken.get(place as usize).map(|x| x.name.clone()),
             _ => None,
         };
-        let own = own.unwrap_or_else(|| format!("v{i}"));
-        let value = match rounded(graph, node) {
-            Some(x) => format!("round({})", known[x as usize]),
-            None if kept[i] => format!("program_kept({})", expression(node, &known)),
-            None => expression(node, &known),
-        };
-        let _ = writeln!(text, "    let {own} = {value};");
-        known.push(own);
+        own.unwrap_or_else(|| format!("v{id}"))
     }
-    let results: Vec<&str> = outputs.iter().map(|&x| &*known[x as usize]).collect();
-    let _ = writeln!(
-        text,
-        "    return array<f32, {count}>({});\n}}",
-        results.join(", ")
-    );
-    text
+    fn value(&self, id: usize, node: Node, known: &[String]) -> String {
+        match rounded(self.graph, node) {
+            Some(x) => format!("round({})", known[x as usize]),
+            None if self.kept[id] => format!("program_kept({})", expression(self, node, known)),
+            None => expression(self, node, known),
+        }
+    }
 }
 
 /// Returns the number that a node rounds to a whole one by adding and subtracting a large one. Drivers may remove both
@@ -180,66 +204,12 @@ pub(crate) fn exact(graph: &Graph, taken: &[bool]) -> Vec<bool> {
     exact
 }
 
-/// Returns the code of one operation on earlier results, which have names.
-fn expression(node: Node, known: &[String]) -> String {
-    use Node::*;
-    let v = |x: Id| &*known[x as usize];
-    let one = |f: &str, x: Id| format!("{f}({})", v(x));
-    let two = |f: &str, a: Id, b: Id| format!("{f}({}, {})", v(a), v(b));
-    let three = |f: &str, a: Id, b: Id, c: Id| format!("{f}({}, {}, {})", v(a), v(b), v(c));
-    let between = |a: Id, sign: &str, b: Id| format!("{} {sign} {}", v(a), v(b));
-    match node {
-        Const(bits) => literal(f64::from_bits(bits) as f32),
-        Bool(truth) => truth.to_string(),
-        Input(place) => format!("x[{place}]"),
-        Neg(x) => format!("-{}", v(x)),
-        Canonical(x) => format!("{} + 0.0", v(x)),
-        Add(a, b) => between(a, "+", b),
-        Sub(a, b) => between(a, "-", b),
-        Mul(a, b) => between(a, "*", b),
-        Div(a, b) => between(a, "/", b),
-        Min(a, b) => two("min", a, b),
-        Max(a, b) => two("max", a, b),
-        Magnitude(x) | Unsigned(x) => one("abs", x),
-        Root(x) => one("program_root", x),
-        Sin(x) => one("program_sin", x),
-        Cos(x) => one("program_cos", x),
-        SinHigh(x) => one("program_sin_high", x),
-        SinLow(x) => one("program_sin_low", x),
-        CosHigh(x) => one("program_cos_high", x),
-        CosLow(x) => one("program_cos_low", x),
-        Atan2(y, x) => two("program_atan2", y, x),
-        Exp(x) => one("program_exp", x),
-        Ln(x) => one("program_ln", x),
-        Binade(x) => one("program_binade", x),
-        High(x) => one("program_high", x),
-        Graft { value, .. } => v(value).to_owned(),
-        // Derivatives have thousands of these, and drivers move all that follows whenever they inline a call.
-        Split(a, b, bar) => shared(v(a), v(b), ("0f", v(bar)), v(bar)),
-        Rest(a, b, bar) => shared(v(a), v(b), (v(bar), "0f"), v(bar)),
-        Lt(a, b) => between(a, "<", b),
-        Le(a, b) => between(a, "<=", b),
-        // The test for NaN is by bits, since a driver may assume that no number is NaN.
-        Eq(a, b) if a == b => format!("((bitcast<u32>({}) & 0x7fffffffu) <= 0x7f800000u)", v(a)),
-        Eq(a, b) => between(a, "==", b),
-        And(a, b) => between(a, "&", b),
-        Or(a, b) => between(a, "|", b),
-        Not(x) => format!("!{}", v(x)),
-        Select(mask, yes, no) => three("select", no, yes, mask),
-    }
-}
-
-/// Returns the share of one of two numbers in the cotangent of their minimum: `less` if a is less, `more` if it is
-/// more, half of the cotangent in a tie.
-fn shared(a: &str, b: &str, (more, less): (&str, &str), bar: &str) -> String {
-    format!("select(select({more}, {bar} * 0.5f, {a} == {b}), {less}, {a} < {b})")
-}
-
-/// Returns a finite number. Numbers below the smallest normal one are given by their bits.
-fn literal(x: f32) -> String {
-    if x == 0.0 || x.is_normal() {
-        format!("{x:e}f")
-    } else {
-        format!("bitcast<f32>({:#x}u)", x.to_bits())
+/// Returns a finite number. Numbers below the smallest normal one are given by their bits. The shortest digits of the
+/// largest number are those of a larger one, which Tint, the compiler of Chromium, refuses.
+pub(crate) fn literal(x: f32) -> String {
+    match x {
+        _ if x.abs() == f32::MAX => format!("{:e}f", f64::from(x)),
+        _ if x == 0.0 || x.is_normal() => format!("{x:e}f"),
+        _ => format!("bitcast<f32>({:#x}u)", x.to_bits()),
     }
 }

@@ -19,8 +19,7 @@ mod solid_boxes;
 pub mod strategy;
 
 use crate::ad::declared::Kind;
-use crate::scalar::float::Float;
-use crate::{Pack, Scalar};
+use crate::{Pack, Real, Scalar};
 use std::f64::consts::FRAC_PI_2;
 
 pub use crate::ad::sample::drawn::{hard_cases, random};
@@ -241,7 +240,7 @@ const PLACES: [Placement; 7] = [
 ];
 
 /// Returns simpler inputs, simplest first: fewer elements, then fewer digits. For shrinking.
-pub fn simpler<S: Scalar + Float, X: Pack<Scalar = S>>(x: &X) -> impl Iterator<Item = X> {
+pub fn simpler<S: Real, X: Pack<Scalar = S>>(x: &X) -> impl Iterator<Item = X> {
     let list: Vec<f64> = x.scalars().iter().map(|x| x.widen()).collect();
     let refilled = |list: Vec<f64>| {
         let list: Vec<S> = list.iter().map(|&x| <S as Scalar>::lit(x)).collect();

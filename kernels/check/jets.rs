@@ -3,11 +3,10 @@ use crate::ad::check::noise::Noisy;
 use crate::ad::check::witness::Precision;
 use crate::ad::forward::{Along, First};
 use crate::ad::sample::drawn::Near;
-use crate::scalar::float::Float;
 use crate::{Jet, Real, Scalar};
 
 /// Returns a list in double precision.
-pub(crate) fn widened<S: Float>(list: &[S]) -> Vec<f64> {
+pub(crate) fn widened<S: Real>(list: &[S]) -> Vec<f64> {
     list.iter().map(|x| x.widen()).collect()
 }
 pub(crate) fn nearest<S: Real>(list: &[f64]) -> Vec<S> {

@@ -7,7 +7,7 @@ use super::symbol::Symbol;
 use crate::ad::program::opened::Opened;
 use crate::ad::program::print::print;
 use crate::ad::program::recorded::Recorded;
-use crate::ad::program::{Cost, Format, Sym, wgsl};
+use crate::ad::program::{Cost, Format, Sym, c, javascript, wgsl};
 use crate::error::{Argument, Error, Unrecordable};
 use crate::kernels::call::recording::{Body, Recording};
 use crate::kernels::row::item::Leaf;
@@ -57,18 +57,8 @@ impl<T: Real> fmt::Debug for Program<T> {
 /// The text lists the operations in the order of execution.
 impl<T: Real> fmt::Display for Program<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let inner = &*self.inner;
-        let input = |mut i: usize| {
-            for (argument, leaf) in inner.names.iter().zip(&inner.recording.takes) {
-                if i < leaf.fields {
-                    let field = (leaf.name)(i);
-                    return field.within(&argument.to_string()).to_string();
-                }
-                i -= leaf.fields;
-            }
-            String::new()
-        };
-        print(f, &inner.recorded, input, |i| format!("result {i}"))
+        let result = |i| format!("result {i}");
+        print(f, &self.inner.recorded, |i| self.input(i), result)
     }
 }
 
@@ -134,6 +124,18 @@ impl<T: Real> Program<T> {
     #[cfg(feature = "check")]
     pub(crate) fn recorded(&self) -> &Recorded {
         &self.inner.recorded
+    }
+    /// Returns the name of a number of the input.
+    fn input(&self, mut i: usize) -> String {
+        let inner = &*self.inner;
+        for (argument, leaf) in inner.names.iter().zip(&inner.recording.takes) {
+            if i < leaf.fields {
+                let field = (leaf.name)(i);
+                return field.within(&argument.to_string()).to_string();
+            }
+            i -= leaf.fields;
+        }
+        String::new()
     }
     /// Returns the name and the layout of every argument.
     #[must_use]
@@ -345,6 +347,54 @@ impl<T: Real> Program<T> {
     }
 }
 
+impl<T: Real> Program<T> {
+    /// Returns the program as a function of C, as [`Program::c`](crate::Program::c).
+    ///
+    /// # Errors
+    ///
+    /// If the name is not an identifier, or has a meaning in C, C++ or CUDA.
+    pub fn c(&self, name: &str) -> Result<String, Error> {
+        c::checked(name).map_err(Error::Program)?;
+        Ok(c::function(name, &self.inner.recorded, |i| self.input(i)))
+    }
+    /// Returns the header of [`c`](Program::c), which names the numbers.
+    ///
+    /// # Errors
+    ///
+    /// As `c`.
+    pub fn c_header(&self, name: &str) -> Result<String, Error> {
+        c::checked(name).map_err(Error::Program)?;
+        Ok(c::header(name, &self.inner.recorded, |i| self.input(i)))
+    }
+    /// Returns the program as a kernel of CUDA over rows,
+    /// `NAME(count, inner, of_a, a_step, a_inner, ..., out0, ...)`: a thread computes row `i inner + j` of every result
+    /// from the rows of arguments at `i a_step + j a_inner`. Rows of a result follow each other.
+    ///
+    /// # Errors
+    ///
+    /// As [`c`](Program::c).
+    pub fn cuda(&self, name: &str) -> Result<String, Error> {
+        c::checked(name).map_err(Error::Program)?;
+        let identifier = |argument: &Argument| {
+            let is_letter = |c: char| c.is_ascii_alphanumeric();
+            argument.to_string().replace(|c| !is_letter(c), "_")
+        };
+        let mut arguments: Vec<(String, usize)> = Vec::new();
+        for (argument, width) in self.inner.names.iter().zip(self.inputs()) {
+            let mut name = identifier(argument);
+            // Derivatives of derivatives have factors of one name.
+            while arguments.iter().any(|(own, _)| *own == name) {
+                name.push('_');
+            }
+            arguments.push((name, width));
+        }
+        let input = |i| self.input(i);
+        let inner = &self.inner;
+        let gives = &inner.recording.outputs;
+        Ok(c::kernel(name, &inner.recorded, &arguments, gives, input))
+    }
+}
+
 impl Program<f32> {
     /// Returns the program as a function in WGSL, as [`Program::wgsl`](crate::Program::wgsl).
     ///
@@ -354,6 +404,19 @@ impl Program<f32> {
     pub fn wgsl(&self, name: &str) -> Result<String, Error> {
         wgsl::checked(name).map_err(Error::Program)?;
         Ok(wgsl::function(name, &self.inner.recorded))
+    }
+}
+
+impl Program<f64> {
+    /// Returns the program as a module of JavaScript, as [`Program::javascript`](crate::Program::javascript).
+    ///
+    /// # Errors
+    ///
+    /// If the name is not an identifier, or has a meaning in JavaScript.
+    pub fn javascript(&self, name: &str) -> Result<String, Error> {
+        javascript::checked(name).map_err(Error::Program)?;
+        let input = |i| self.input(i);
+        Ok(javascript::module(name, &self.inner.recorded, input))
     }
 }
 

@@ -7,7 +7,7 @@
 use crate::ad::program::opened::{is_open, is_open_in};
 use crate::ad::program::{Sym, SymMask};
 use crate::error::Error;
-use crate::scalar::Guard;
+use crate::scalar::{Guard, elementary};
 use crate::{Real, Scalar};
 
 /// A number of the function that is being recorded.
@@ -104,6 +104,10 @@ functions! {
     signed_as(x: Symbol, side: Symbol) -> Symbol = x.signed_as(side);
     /// Returns the square root; zero with derivative zero at zero and below: [`Scalar::root`].
     root(x: Symbol) -> Symbol = x.root();
+    /// Returns the square root: NaN, with derivative NaN, below zero; derivative zero at zero.
+    root_or_nan(x: Symbol) -> Symbol = elementary::root_or_nan(x);
+    /// Returns the cube root, with derivative zero at zero.
+    cbrt(x: Symbol) -> Symbol = elementary::cbrt(x);
     /// Returns `√(a² + b²)` without overflow; derivative zero at the origin: [`Scalar::hypot`].
     hypot(a: Symbol, b: Symbol) -> Symbol = a.hypot(b);
     /// Returns the sine of an angle in radians.
@@ -118,6 +122,50 @@ functions! {
     exp(x: Symbol) -> Symbol = x.exp();
     /// Returns the natural logarithm.
     ln(x: Symbol) -> Symbol = x.ln();
+    /// Returns `eˣ − 1`, right near zero.
+    exp_m1(x: Symbol) -> Symbol = elementary::exp_m1(x);
+    /// Returns `ln(1 + x)`, right near zero.
+    ln_1p(x: Symbol) -> Symbol = elementary::ln_1p(x);
+    /// Returns the logarithm to the base 2.
+    log2(x: Symbol) -> Symbol = elementary::ln_over(x, std::f64::consts::LN_2);
+    /// Returns the logarithm to the base 10.
+    log10(x: Symbol) -> Symbol = elementary::ln_over(x, std::f64::consts::LN_10);
+    /// Returns `ln(eᵃ + eᵇ)` without overflow.
+    ln_of_exponentials(a: Symbol, b: Symbol) -> Symbol = elementary::ln_of_exponentials(a, b);
+    /// Returns the hyperbolic sine.
+    sinh(x: Symbol) -> Symbol = elementary::sinh(x);
+    /// Returns the hyperbolic cosine.
+    cosh(x: Symbol) -> Symbol = elementary::cosh(x);
+    /// Returns the hyperbolic tangent.
+    tanh(x: Symbol) -> Symbol = elementary::tanh(x);
+    /// Returns the inverse of the hyperbolic sine.
+    arcsinh(x: Symbol) -> Symbol = elementary::arcsinh(x);
+    /// Returns the inverse of the hyperbolic cosine; NaN below 1.
+    arccosh(x: Symbol) -> Symbol = elementary::arccosh(x);
+    /// Returns the inverse of the hyperbolic tangent; NaN beyond ±1.
+    arctanh(x: Symbol) -> Symbol = elementary::arctanh(x);
+    /// Returns the angle in `[−π/2, π/2]` with a sine; NaN beyond ±1, where its derivative is zero.
+    arcsin(x: Symbol) -> Symbol = elementary::arcsin(x);
+    /// Returns the angle in `[0, π]` with a cosine; NaN beyond ±1, where its derivative is zero.
+    arccos(x: Symbol) -> Symbol = elementary::arccos(x);
+    /// Returns the angle in `[−π/2, π/2]` with a tangent.
+    arctan(x: Symbol) -> Symbol = elementary::arctan(x);
+    /// Returns `xʸ` for `x ≥ 0`; NaN below zero.
+    power_of(x: Symbol, y: Symbol) -> Symbol = elementary::power_of(x, y);
+    /// Returns the nearest whole number, of two the even one; without derivative.
+    rint(x: Symbol) -> Symbol = elementary::rint(x);
+    /// Returns the largest whole number that is not above `x`; without derivative.
+    floor(x: Symbol) -> Symbol = elementary::floor(x);
+    /// Returns the smallest whole number that is not below `x`; without derivative.
+    ceil(x: Symbol) -> Symbol = elementary::ceil(x);
+    /// Returns `x` without the digits after its point; without derivative.
+    trunc(x: Symbol) -> Symbol = elementary::trunc(x);
+    /// Returns the largest whole number that is not above `a / b`; without derivative.
+    floor_divide(a: Symbol, b: Symbol) -> Symbol = elementary::floor_divide(a, b);
+    /// Returns `a` less the multiple of `b` below it: zero, or of the sign of `b`.
+    remainder(a: Symbol, b: Symbol) -> Symbol = elementary::remainder(a, b);
+    /// Returns 1, −1 or 0 by the sign of `x`; without derivative.
+    sign(x: Symbol) -> Symbol = elementary::sign(x);
     /// Returns `x²`.
     squared(x: Symbol) -> Symbol = x.squared();
     /// Returns `x / 2`.
@@ -164,6 +212,18 @@ functions! {
 pub fn powi<T: Real>(x: Symbol<T>, exponent: i32) -> Made<Symbol<T>> {
     x.belongs()?;
     Ok(Symbol(x.0.powi(exponent)))
+}
+
+/// Returns a power of any exponent up to 2³⁰: NaN below zero unless the exponent is whole.
+///
+/// # Errors
+///
+/// [`Error::Program`] for symbols of another recording or thread.
+pub fn power<T: Real>(x: Symbol<T>, exponent: f64) -> Made<Symbol<T>> {
+    x.belongs()?;
+    let made = Symbol(elementary::power(x.0, exponent));
+    made.belongs()?;
+    Ok(made)
 }
 
 /// Splits `x` into `(high, low)` with `high + low = x` exactly, `high` a constant of half the significand:

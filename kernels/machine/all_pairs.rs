@@ -18,66 +18,63 @@ use crate::suppression::{Pair, Rules};
 type Both<A, B> = <<A as Columns>::Place as Place>::With<<B as Columns>::Place>;
 
 /// The cotangents of all results: a row-major matrix, as a slice or on the machine.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` is no list of cotangents",
-    label = "a slice of `{T}`, or a matrix on the machine"
-)]
-pub trait Factors<T: Real> {
-    #[doc(hidden)]
-    fn seed(&self) -> Seed<'_, T>;
-}
-impl<T: Real> Factors<T> for &[T] {
-    fn seed(&self) -> Seed<'_, T> {
-        Seed::Numbers(self)
+impl<'a, T: Real> From<&'a [T]> for Seed<'a, T> {
+    fn from(numbers: &'a [T]) -> Self {
+        Seed::Numbers(numbers)
     }
 }
-impl<T: Real> Factors<T> for &Vec<T> {
-    fn seed(&self) -> Seed<'_, T> {
-        Seed::Numbers(self)
+impl<'a, T: Real> From<&'a Vec<T>> for Seed<'a, T> {
+    fn from(numbers: &'a Vec<T>) -> Self {
+        Seed::Numbers(numbers)
     }
 }
-impl<T: Real, const N: usize> Factors<T> for &[T; N] {
-    fn seed(&self) -> Seed<'_, T> {
-        Seed::Numbers(&self[..])
+impl<'a, T: Real, const N: usize> From<&'a [T; N]> for Seed<'a, T> {
+    fn from(numbers: &'a [T; N]) -> Self {
+        Seed::Numbers(numbers)
     }
 }
-impl<T: Real> Factors<T> for &Matrix<T> {
-    fn seed(&self) -> Seed<'_, T> {
-        Seed::Matrix(self)
+impl<'a, T: Real> From<&'a Matrix<T>> for Seed<'a, T> {
+    fn from(matrix: &'a Matrix<T>) -> Self {
+        Seed::Matrix(matrix)
     }
 }
 
-/// The memory for a table of results: a [`Table`], or a [`Matrix`] on the machine.
-pub trait Rooms<R: Results> {
-    /// Returns its numbers of rows and columns, if the caller fixes them.
-    #[doc(hidden)]
-    fn size(&self) -> Option<[usize; 2]>;
-    #[doc(hidden)]
-    fn room(&mut self) -> Room<'_, R::Scalar>;
+/// The memory for all pairs: from a `&mut` [`Table`] of results `R`, or from a `&mut` [`Matrix`] on the machine.
+#[derive(Debug)]
+pub struct TableRoom<'a, R: Results> {
+    /// The numbers of rows and columns, if the caller fixes them.
+    size: Option<[usize; 2]>,
+    /// The memory.
+    room: Room<'a, R::Scalar>,
 }
-impl<R: Results> Rooms<R> for &mut Table<R> {
-    fn size(&self) -> Option<[usize; 2]> {
-        Some([self.rows(), self.columns()])
-    }
-    fn room(&mut self) -> Room<'_, R::Scalar> {
-        Room::Planes(self.planes_mut())
+impl<'a, R: Results> From<&'a mut Table<R>> for TableRoom<'a, R> {
+    fn from(table: &'a mut Table<R>) -> Self {
+        TableRoom {
+            size: Some([table.rows(), table.columns()]),
+            room: Room::Planes(table.planes_mut()),
+        }
     }
 }
-impl<T: Real, R: Results<Scalar = T>> Rooms<R> for &mut Matrix<T> {
-    fn size(&self) -> Option<[usize; 2]> {
-        None
-    }
-    fn room(&mut self) -> Room<'_, T> {
-        Room::Held(self)
+impl<'a, T: Real, R: Results<Scalar = T>> From<&'a mut Matrix<T>> for TableRoom<'a, R> {
+    fn from(matrix: &'a mut Matrix<T>) -> Self {
+        TableRoom {
+            size: None,
+            room: Room::Held(matrix),
+        }
     }
 }
 
-/// Builds a call of two lists: the function, and both lists as numbers.
-macro_rules! called {
-    ($run:expr, $a:expr, $b:expr => |$call:ident, $lists:ident| $do:expr) => {{
-        let ($call, $lists) = ($run.call()?, [$a.list_of_shapes(), $b.list_of_shapes()]);
-        $do
-    }};
+/// A call of two lists: the function, and both lists as numbers.
+type ListCall<'a, T> = (Call<T>, [Column<'a, T>; 2]);
+
+/// Returns the call of a function with every shape of two lists.
+fn list_call<'a, A, B, R>(run: &R, a: &'a A, b: &'a B) -> Result<ListCall<'a, Number<A>>, Error>
+where
+    A: Columns<Item: Single>,
+    B: Columns<Item: Single<Scalar = Number<A>>>,
+    R: Function<(A::Item, B::Item)>,
+{
+    Ok((run.call()?, [a.list_of_shapes(), b.list_of_shapes()]))
 }
 
 /// All pairs of two lists. A GPU refuses searches
@@ -116,7 +113,8 @@ impl<E: ?Sized> Machine<E> {
         R: Function<(A::Item, B::Item)>,
         Number<A>: On<E>,
     {
-        called!(run, a, b => |call, lists| Both::<A, B>::all_pairs::<R::Out>(self.engine(), &call, &lists))
+        let (call, lists) = list_call(&run, &a, &b)?;
+        Both::<A, B>::all_pairs::<R::Out>(self.engine(), &call, &lists)
     }
 
     /// Writes the results of [`all_pairs`](Machine::all_pairs) to the caller's [`Table`], or to a [`Matrix`] on the
@@ -126,12 +124,12 @@ impl<E: ?Sized> Machine<E> {
     ///
     /// As [`all_pairs`](Machine::all_pairs), and [`Error::Length`] for a table of another size. The table
     /// is then as it was.
-    pub fn all_pairs_into<A, B, R>(
+    pub fn all_pairs_into<'t, A, B, R>(
         &self,
         run: R,
         a: A,
         b: B,
-        mut table: impl Rooms<R::Out>,
+        table: impl Into<TableRoom<'t, R::Out>>,
     ) -> Result<(), Error>
     where
         A: Columns<Item: Single>,
@@ -139,12 +137,12 @@ impl<E: ?Sized> Machine<E> {
         R: Function<(A::Item, B::Item)>,
         Number<A>: On<E>,
     {
-        called!(run, a, b => |call, lists| {
-            for (list, count) in lists.iter().zip(table.size().into_iter().flatten()) {
-                expect(Argument::Values, list.len(), count)?;
-            }
-            self.engine().pairs(&call, &lists, table.room())
-        })
+        let (call, lists) = list_call(&run, &a, &b)?;
+        let table = table.into();
+        for (list, count) in lists.iter().zip(table.size.into_iter().flatten()) {
+            expect(Argument::Values, list.len(), count)?;
+        }
+        self.engine().pairs(&call, &lists, table.room)
     }
 
     /// Writes the results of [`all_pairs`](Machine::all_pairs) to the caller's slice: one row-major matrix for every
@@ -167,11 +165,14 @@ impl<E: ?Sized> Machine<E> {
         R: Function<(A::Item, B::Item)>,
         Number<A>: On<E>,
     {
-        called!(run, a, b => |call, lists| {
-            let wanted = entries(lists[0].len(), lists[1].len(), R::Out::widths().iter().sum())?;
-            expect(Argument::Values, wanted, planes.len())?;
-            self.engine().pairs(&call, &lists, Room::Planes(planes))
-        })
+        let (call, lists) = list_call(&run, &a, &b)?;
+        let wanted = entries(
+            lists[0].len(),
+            lists[1].len(),
+            R::Out::widths().iter().sum(),
+        )?;
+        expect(Argument::Values, wanted, planes.len())?;
+        self.engine().pairs(&call, &lists, Room::Planes(planes))
     }
 
     /// Returns the adjoint of [`all_pairs`](Machine::all_pairs) for one number as result: derivatives of
@@ -192,12 +193,12 @@ impl<E: ?Sized> Machine<E> {
     /// assert_eq!(b_bar[0].center.x, 0.0);
     /// # Ok::<(), geograd::Error>(())
     /// ```
-    pub fn all_pairs_vjp<A, B, R>(
+    pub fn all_pairs_vjp<'u, A, B, R>(
         &self,
         run: R,
         a: A,
         b: B,
-        upstream: impl Factors<Number<A>>,
+        upstream: impl Into<Seed<'u, Number<A>>>,
     ) -> Result<ListGradients<A, B>, Error>
     where
         A: Columns<Item: Single>,
@@ -205,9 +206,8 @@ impl<E: ?Sized> Machine<E> {
         R: Function<(A::Item, B::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
-        called!(run, a, b => |call, lists| {
-            Ok(self.bars::<A, B>(&call, &lists, &upstream.seed())?.1)
-        })
+        let (call, lists) = list_call(&run, &a, &b)?;
+        Ok(self.bars::<A, B>(&call, &lists, &upstream.into())?.1)
     }
 
     /// Writes the results of [`all_pairs_vjp`](Machine::all_pairs_vjp) to the caller's slices.
@@ -219,12 +219,12 @@ impl<E: ?Sized> Machine<E> {
     ///
     /// As [`all_pairs_vjp`](Machine::all_pairs_vjp), and [`Error::Length`] for a slice of another length.
     /// The slices are then as they were.
-    pub fn all_pairs_vjp_into<A, B, R>(
+    pub fn all_pairs_vjp_into<'u, A, B, R>(
         &self,
         run: R,
         a: A,
         b: B,
-        upstream: impl Factors<Number<A>>,
+        upstream: impl Into<Seed<'u, Number<A>>>,
         a_bar: &mut [A::Item],
         b_bar: &mut [B::Item],
     ) -> Result<(), Error>
@@ -234,9 +234,9 @@ impl<E: ?Sized> Machine<E> {
         R: Function<(A::Item, B::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
-        called!(run, a, b => |call, lists| {
-            self.bars_into::<A, B>(&call, &lists, &upstream.seed(), a_bar, b_bar).map(drop)
-        })
+        let (call, lists) = list_call(&run, &a, &b)?;
+        self.bars_into::<A, B>(&call, &lists, &upstream.into(), a_bar, b_bar)
+            .map(drop)
     }
 
     /// Returns the largest result of every row and its column; the first of equal ones.
@@ -266,10 +266,9 @@ impl<E: ?Sized> Machine<E> {
         R: Function<(A::Item, B::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
-        called!(run, a, b => |call, lists| {
-            let best = Reduction::Best { of_rows: true };
-            Both::<A, B>::bests(reduced(self.engine(), &call, &lists, best)?.bests())
-        })
+        let (call, lists) = list_call(&run, &a, &b)?;
+        let best = Reduction::Best { of_rows: true };
+        Both::<A, B>::bests(reduced(self.engine(), &call, &lists, best)?.bests())
     }
 
     /// Returns the largest result of every column and its row; the first of equal ones.
@@ -289,10 +288,9 @@ impl<E: ?Sized> Machine<E> {
         R: Function<(A::Item, B::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
-        called!(run, a, b => |call, lists| {
-            let best = Reduction::Best { of_rows: false };
-            Both::<A, B>::bests(reduced(self.engine(), &call, &lists, best)?.bests())
-        })
+        let (call, lists) = list_call(&run, &a, &b)?;
+        let best = Reduction::Best { of_rows: false };
+        Both::<A, B>::bests(reduced(self.engine(), &call, &lists, best)?.bests())
     }
 
     /// Returns every pair whose result is above the threshold, ordered by row and then by column.
@@ -313,9 +311,10 @@ impl<E: ?Sized> Machine<E> {
         R: Function<(A::Item, B::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
-        called!(run, a, b => |call, lists| {
-            Both::<A, B>::founds(reduced(self.engine(), &call, &lists, Reduction::Above(threshold))?.founds())
-        })
+        let (call, lists) = list_call(&run, &a, &b)?;
+        Both::<A, B>::founds(
+            reduced(self.engine(), &call, &lists, Reduction::Above(threshold))?.founds(),
+        )
     }
 
     /// Returns the number of pairs whose result is above the threshold.
@@ -336,9 +335,8 @@ impl<E: ?Sized> Machine<E> {
         R: Function<(A::Item, B::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
-        called!(run, a, b => |call, lists| {
-            Ok(reduced(self.engine(), &call, &lists, Reduction::Count(threshold))?.count())
-        })
+        let (call, lists) = list_call(&run, &a, &b)?;
+        Ok(reduced(self.engine(), &call, &lists, Reduction::Count(threshold))?.count())
     }
 
     /// Returns the sum of all results, added in `f64` in a fixed order; a GPU first adds up to 1024 of them in `f32`.
@@ -353,7 +351,8 @@ impl<E: ?Sized> Machine<E> {
         R: Function<(A::Item, B::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
-        called!(run, a, b => |call, lists| Ok(reduced(self.engine(), &call, &lists, Reduction::Sum)?.sum()))
+        let (call, lists) = list_call(&run, &a, &b)?;
+        Ok(reduced(self.engine(), &call, &lists, Reduction::Sum)?.sum())
     }
 
     /// Returns the mean of all results; 0 without pairs, as the loss of a step without matches.
@@ -368,9 +367,8 @@ impl<E: ?Sized> Machine<E> {
         R: Function<(A::Item, B::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
-        called!(run, a, b => |call, lists| {
-            losses::mean(self.engine(), &call, &lists)
-        })
+        let (call, lists) = list_call(&run, &a, &b)?;
+        losses::mean(self.engine(), &call, &lists)
     }
 
     /// Returns the sum of all results and its gradient with respect to every shape of both lists: a loss and its
@@ -397,11 +395,10 @@ impl<E: ?Sized> Machine<E> {
         R: Function<(A::Item, B::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
-        called!(run, a, b => |call, lists| {
-            let one = Seed::Factor(crate::Scalar::one());
-            let (sum, (a_bar, b_bar)) = self.bars::<A, B>(&call, &lists, &one)?;
-            Ok((sum, a_bar, b_bar))
-        })
+        let (call, lists) = list_call(&run, &a, &b)?;
+        let one = Seed::Factor(crate::Scalar::one());
+        let (sum, (a_bar, b_bar)) = self.bars::<A, B>(&call, &lists, &one)?;
+        Ok((sum, a_bar, b_bar))
     }
 
     /// Returns the mean of all results and its gradient, as [`sum_grad`](Machine::sum_grad); zeros without pairs.
@@ -416,11 +413,10 @@ impl<E: ?Sized> Machine<E> {
         R: Function<(A::Item, B::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
-        called!(run, a, b => |call, lists| {
-            let (mean, bars) = losses::mean_pulled(self.engine(), &call, &lists)?;
-            let (a_bar, b_bar) = self.placed::<A, B>(&lists, bars)?;
-            Ok((mean, a_bar, b_bar))
-        })
+        let (call, lists) = list_call(&run, &a, &b)?;
+        let (mean, bars) = losses::mean_pulled(self.engine(), &call, &lists)?;
+        let (a_bar, b_bar) = self.placed::<A, B>(&lists, bars)?;
+        Ok((mean, a_bar, b_bar))
     }
 
     /// Returns the sum of all results, and writes the derivatives of the sum times `factor` to the caller's slices.
@@ -444,9 +440,8 @@ impl<E: ?Sized> Machine<E> {
         R: Function<(A::Item, B::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
-        called!(run, a, b => |call, lists| {
-            self.bars_into::<A, B>(&call, &lists, &Seed::Factor(factor), a_bar, b_bar)
-        })
+        let (call, lists) = list_call(&run, &a, &b)?;
+        self.bars_into::<A, B>(&call, &lists, &Seed::Factor(factor), a_bar, b_bar)
     }
 
     /// Returns every two shapes of a list whose result is above the threshold, each two once: for
@@ -466,11 +461,13 @@ impl<E: ?Sized> Machine<E> {
         R: Function<(A::Item, A::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
-        called!(run, shapes, shapes => |call, lists| {
-            let found = reduced(self.engine(), &call, &lists, Reduction::Above(threshold))?;
-            let found = found.founds().taken()?.into_iter();
-            Ok(found.filter(|pair| pair.row < pair.column).map(Pair::from).collect())
-        })
+        let (call, lists) = list_call(&run, &shapes, &shapes)?;
+        let found = reduced(self.engine(), &call, &lists, Reduction::Above(threshold))?;
+        let found = found.founds().taken()?.into_iter();
+        Ok(found
+            .filter(|pair| pair.row < pair.column)
+            .map(Pair::from)
+            .collect())
     }
 
     /// Returns the shapes that no better kept shape overlaps by more than the threshold: their indices, best first.

@@ -24,6 +24,7 @@ pub(crate) mod suppress;
 mod table;
 mod targets;
 
+pub use all_pairs::TableRoom;
 pub use column::Column;
 pub(crate) use column::count_of;
 pub use columns::{Columns, One};

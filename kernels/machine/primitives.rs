@@ -17,6 +17,7 @@ use std::fmt::Debug;
 
 /// Prevents implementations of [`Engine`] outside of the library.
 pub(crate) mod sealed {
+    #[doc(hidden)]
     pub trait Sealed {}
 }
 

@@ -12,7 +12,7 @@ use crate::{Obb2, Obb3, Pack, Scalar, YawBox3};
 
 /// Returns a shape whose zeros have no sign, as all results require.
 #[inline]
-fn unsigned<S: Scalar, P: Pack<Scalar = S>>(mut shape: P) -> P {
+pub(super) fn unsigned<S: Scalar, P: Pack<Scalar = S>>(mut shape: P) -> P {
     shape.each(&mut |x| *x = x.canonical());
     shape
 }
@@ -35,9 +35,12 @@ table! {
     [] (jumps Never) derivative Forward {
         "detectron2_of_image_box": ImageBox;
     }
-    /// The image's box of detectron2's box.
+    /// The image's box of {}.
     Convert<ImageBox<S>>: (shape) -> ImageBox<S> { unsigned(shape.into()) } [] (jumps Never) derivative Forward {
         "image_box_of_detectron2": Detectron2Box;
+        "image_box_of_le90": Le90;
+        "image_box_of_le135": Le135;
+        "image_box_of_open_cv": OpenCvBox;
     }
     /// The rotated box of bounds before turning, and the angle.
     Convert<Obb2<S>>: (shape) -> Obb2<S> { unsigned(shape.into()) } [] (jumps Never) derivative Forward {
@@ -56,6 +59,15 @@ table! {
     Convert<KittiBox<S>>: (shape) -> KittiBox<S> { unsigned(shape.into()) } [] (jumps Never) derivative Forward {
         "kitti_of_yaw": YawBox3;
     }
+    /// OpenPCDet's box of an upright box.
+    Convert<LidarBox<S>>: (shape) -> LidarBox<S> { unsigned(shape.into()) } [follows] (jumps Never) derivative Forward {
+        "lidar_of_yaw": YawBox3;
+    }
+    /// nuScenes' box of a box of any orientation.
+    Convert<NuScenesBox<S>>: (shape) -> NuScenesBox<S> { unsigned(shape.into()) } [follows] (jumps Never)
+    derivative Forward {
+        "nu_scenes_of_obb3": Obb3;
+    }
     /// The box of any orientation of {}.
     Convert<Obb3<S>>: (shape) -> Obb3<S> { unsigned(shape.into()) } [] (jumps Never) derivative Forward {
         "obb3_of_nu_scenes": NuScenesBox [follows];
@@ -65,6 +77,11 @@ table! {
     FlipY: (shape, image_height) -> Obb2<S> { unsigned(shape.upright(image_height)) }
     [] (jumps Never) derivative Forward {
         "obb2_of_image_box": ImageBox, Number;
+    }
+    /// An image's box of a box whose y points up, from the image's height.
+    FlipY: (shape, image_height) -> ImageBox<S> { unsigned(ImageBox::from_upright(shape, image_height)) }
+    [] (jumps Never) derivative Forward {
+        "image_box_of_obb2": Obb2, Number;
     }
     /// The [corners](Obb2::corners) of {}.
     Corners: (shape) -> Quad<S> { unsigned(shape.corners()) } [follows] (jumps Never) derivative Forward {

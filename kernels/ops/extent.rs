@@ -1,6 +1,6 @@
 //! Extents of convex polygons, and the smallest shapes around them, as operations.
 use crate::kernels::ops::tables::searches;
-use crate::kernels::verbs::{Diameter, MinimumCircle, MinimumRectangle, Width};
+use crate::kernels::verbs::{Area, Diameter, MinimumCircle, MinimumRectangle, Perimeter, Width};
 use crate::measure::circle::{Support, circle_search, circle_replay};
 use crate::measure::extent::{
     Farthest, Narrowest, diameter_search, diameter_replay, width_search, width_replay,
@@ -10,6 +10,20 @@ use crate::{Circle, ConvexPolygon, Obb2};
 
 // A polygon without vertices is measured as its first place repeated; so is one on a line where that has no extent.
 searches! {
+    /// The [area](ConvexPolygon::area) of a convex polygon of up to `N` vertices. Nothing is searched for.
+    Area<N> = "area_of_polygon": (polygon) as ConvexPolygon<S, N> => S, by ();
+    decide |_| {}
+    replay |polygon, _nothing| { polygon.area() }
+    [rigid(2)]
+    jumps Never
+
+    /// The [perimeter](ConvexPolygon::perimeter) of a convex polygon of up to `N` vertices. Nothing is searched for.
+    Perimeter<N> = "perimeter_of_polygon": (polygon) as ConvexPolygon<S, N> => S, by ();
+    decide |_| {}
+    replay |polygon, _nothing| { polygon.perimeter() }
+    [rigid(1)]
+    jumps Never
+
     /// The [diameter](crate::measure::extent::diameter_search) of a convex polygon of up to `N` vertices:
     /// the largest distance of two of them, which are its record.
     Diameter<N> = "diameter_of_polygon": (polygon) as ConvexPolygon<S, N> => S, by Farthest;
@@ -22,7 +36,7 @@ searches! {
     jumps Never
 
     /// The [width](crate::measure::extent::width_search) of a convex polygon of up to `N` vertices: the
-    /// least distance of two parallel lines around it. Its record is what they touch.
+    /// least distance of two parallel lines around it.
     Width<N> = "width_of_polygon": (polygon) as ConvexPolygon<S, N> => S, by Narrowest;
     decide |polygon| {
         let nothing = Narrowest { start: 0, end: 0, across: 0 };
@@ -44,7 +58,7 @@ searches! {
     jumps Anywhere
 
     /// The [smallest circle](crate::measure::circle::circle_search) around a convex polygon of up to `N`
-    /// vertices. Its record is what it goes through.
+    /// vertices.
     MinimumCircle<N> = "circle_around_polygon": (polygon) as ConvexPolygon<S, N> => Circle<S>, by Support;
     decide |polygon| {
         circle_search(polygon.as_slice()).map_or(Support::One(0), |found| found.1)

@@ -17,9 +17,9 @@ use crate::{Aabb2, Obb2};
 table! {
     /// The [generalised IoU](crate::iou::giou_obb2) of {}.
     Giou: (a, b) -> S { iou::giou_aabb2(a, b) } [similar, symmetric] (range SIGNED jumps FromZero) derivative Forward {
-        /// By the box around both.
+        /// It takes the axis-aligned box around both.
         "giou_aabb2": Aabb2, Aabb2;
-        /// By the convex hull.
+        /// It takes the convex hull of both.
         "giou_obb2": Obb2, Obb2 { iou::giou_framed::<S, true>(frame(a), frame(b)) } (finite Always extremes One)
             derivative ByHand |(a, b), out_bar| { giou_framed_vjp::<S, true>(frame(a), frame(b), out_bar) }
             => compiled { Compiled::Giou };
@@ -36,9 +36,9 @@ table! {
     }
     /// The [distance IoU](crate::iou::diou_obb2) of {}.
     Diou: (a, b) -> S { iou::diou_aabb2(a, b) } [similar] (range SIGNED jumps FromZero) derivative Forward {
-        /// By the box around both.
+        /// It takes the axis-aligned box around both.
         "diou_aabb2": Aabb2, Aabb2 [similar, symmetric];
-        /// By the convex hull.
+        /// It takes the convex hull of both.
         "diou_obb2": Obb2, Obb2 { iou::diou_obb2(a, b) };
     }
     /// The [distance IoU](crate::iou::diou_hull_aabb2) of {} by the diameter of the convex hull.
@@ -53,9 +53,9 @@ table! {
     }
     /// The [complete IoU](crate::iou::ciou_obb2) of {}.
     Ciou: (a, b) -> S { iou::ciou_aabb2(a, b) } [similar] (range CIOU jumps Anywhere) derivative Forward {
-        /// By the box around both.
+        /// It takes the axis-aligned box around both.
         "ciou_aabb2": Aabb2, Aabb2 [similar, symmetric];
-        /// By the convex hull.
+        /// It takes the convex hull of both.
         "ciou_obb2": Obb2, Obb2 { iou::ciou_obb2(a, b) };
     }
     /// The [complete IoU](crate::iou::ciou_hull_aabb2) of {} by the diameter of the convex hull.
@@ -76,9 +76,9 @@ table! {
     }
     /// The [efficient IoU](crate::iou::eiou_obb2) of {}.
     Eiou: (a, b) -> S { iou::eiou_aabb2(a, b) } [similar] (jumps Anywhere) derivative Forward {
-        /// By the box around both.
+        /// It takes the axis-aligned box around both.
         "eiou_aabb2": Aabb2, Aabb2 [similar, symmetric] (range EIOU_BOX);
-        /// By the convex hull.
+        /// It takes the convex hull of both.
         "eiou_obb2": Obb2, Obb2 { iou::eiou_obb2(a, b) } (range EIOU_HULL);
     }
     /// The [efficient IoU](crate::iou::eiou_hull_aabb2) of {} by the convex hull.

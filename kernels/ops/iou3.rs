@@ -18,11 +18,11 @@ table! {
     /// The [generalised IoU](crate::iou3::giou) of {}.
     Giou: (a, b) -> S { giou(a, b, Enclosing::Aabb) }
     [similar, symmetric] (range SIGNED jumps Anywhere) derivative Forward {
-        /// By the box around both.
+        /// It takes the axis-aligned box around both.
         "giou_aabb3": Aabb3, Aabb3;
-        /// By the convex hull of the grounds times the height of both.
+        /// It takes the convex hull of the grounds times the height of both.
         "giou_yaw": YawBox3, YawBox3 { giou(a, b, Enclosing::Hull) };
-        /// By the smaller box around both along the axes of either.
+        /// It takes the smaller box around both along the axes of either.
         "giou_obb3": Obb3, Obb3 { giou(a, b, Enclosing::Rectangle) }
             derivative ByHand |(a, b), out_bar| { score_obb3_vjp((Score::Giou, Enclosing::Rectangle), a, b, out_bar) };
     }
@@ -42,11 +42,11 @@ table! {
     /// The [distance IoU](crate::iou3::diou) of {}.
     Diou: (a, b) -> S { diou(a, b, Enclosing::Aabb) }
     [similar, symmetric] (range SIGNED jumps Anywhere) derivative Forward {
-        /// By the box around both.
+        /// It takes the axis-aligned box around both.
         "diou_aabb3": Aabb3, Aabb3 derivative Reverse;
-        /// By the convex hull of the grounds times the height of both.
+        /// It takes the convex hull of the grounds times the height of both.
         "diou_yaw": YawBox3, YawBox3 { diou(a, b, Enclosing::Hull) } [similar];
-        /// By the smaller box around both along the axes of either.
+        /// It takes the smaller box around both along the axes of either.
         "diou_obb3": Obb3, Obb3 { diou(a, b, Enclosing::Rectangle) }
             derivative ByHand |(a, b), out_bar| { score_obb3_vjp((Score::Diou, Enclosing::Rectangle), a, b, out_bar) };
     }
@@ -65,11 +65,11 @@ table! {
     }
     /// The [complete IoU](crate::iou3::ciou) of {}.
     Ciou: (a, b) -> S { ciou(a, b, Enclosing::Aabb) } [similar, symmetric] (jumps Anywhere) derivative Forward {
-        /// By the box around both.
+        /// It takes the axis-aligned box around both.
         "ciou_aabb3": Aabb3, Aabb3 derivative Reverse;
-        /// By the convex hull of the grounds times the height of both.
+        /// It takes the convex hull of the grounds times the height of both.
         "ciou_yaw": YawBox3, YawBox3 { ciou(a, b, Enclosing::Hull) } [similar];
-        /// By the smaller box around both along the axes of either.
+        /// It takes the smaller box around both along the axes of either.
         "ciou_obb3": Obb3, Obb3 { ciou(a, b, Enclosing::Rectangle) }
             derivative ByHand |(a, b), out_bar| { score_obb3_vjp((Score::Ciou, Enclosing::Rectangle), a, b, out_bar) };
     }
@@ -88,11 +88,11 @@ table! {
     }
     /// The [efficient IoU](crate::iou3::eiou) of {}.
     Eiou: (a, b) -> S { eiou(a, b, Enclosing::Aabb) } [similar, symmetric] (jumps Anywhere) derivative Forward {
-        /// By the box around both.
+        /// It takes the axis-aligned box around both.
         "eiou_aabb3": Aabb3, Aabb3 derivative Reverse;
-        /// By the convex hull of the grounds times the height of both.
+        /// It takes the convex hull of the grounds times the height of both.
         "eiou_yaw": YawBox3, YawBox3 { eiou(a, b, Enclosing::Hull) } [similar];
-        /// By the smaller box around both along the axes of either.
+        /// It takes the smaller box around both along the axes of either.
         "eiou_obb3": Obb3, Obb3 { eiou(a, b, Enclosing::Rectangle) }
             derivative ByHand |(a, b), out_bar| { score_obb3_vjp((Score::Eiou, Enclosing::Rectangle), a, b, out_bar) };
     }

@@ -23,7 +23,7 @@ macro_rules! families {
     };
 }
 families! {
-    overlap iou interval distance intersection shape gaussian convention
+    overlap iou interval distance intersection shape moved gaussian convention
     overlap3 iou3 distance3 intersection3 camera
     polygon extent ring path path3 solid hull3
 }

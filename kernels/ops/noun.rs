@@ -1,11 +1,13 @@
 //! Shapes in rows: their names in sentences, and their motions.
 use crate::camera::{BrownConrady, Fisheye, Pinhole};
-use crate::convention::{Detectron2Box, ImageBox, KittiBox, LidarBox, NuScenesBox, Xyxyr};
+use crate::convention::{
+    Detectron2Box, ImageBox, KittiBox, Le90, Le135, LidarBox, NuScenesBox, OpenCvBox, Xyxyr,
+};
 use crate::iou::Exponent;
 use crate::{
     Aabb2, Aabb3, Capsule2, Capsule3, Circle, Cone, ConvexPolygon, Cylinder, Hull3, Interval,
-    Line2, Line3, Obb2, Obb3, Plane3, Pose2, Ray2, Ray3, Rotation3, RoundBox3, Segment2, Segment3,
-    Sphere, Tetrahedron, Triangle2, Triangle3, Vec2, Vec3, YawBox3,
+    Line2, Line3, Obb2, Obb3, Plane3, Pose2, Pose3, Ray2, Ray3, Rotation3, RoundBox3, Segment2,
+    Segment3, Sphere, Tetrahedron, Triangle2, Triangle3, Vec2, Vec3, YawBox3,
 };
 
 /// A shape in the documentation and the invariances of a row.
@@ -126,12 +128,16 @@ nouns! {
     [] Line2<f64>:       "line",     "a line",                     "two lines",                     PLANE_DIRECTED;
     [] Ray2<f64>:        "ray",      "a ray",                      "two rays",                      PLANE_DIRECTED;
     [] Pose2<f64>:       "pose",     "a pose",                     "two poses",                     PLANE;
+    [] Pose3<f64>:       "pose",     "a pose of space",            "two poses of space",            SPACE;
     // Its ends are lengths.
     [] Interval<f64>:    "interval", "an interval",                "two intervals",                 NONE;
     [] f64:              "x",        "a number",                   "two numbers",                   NONE;
     // Encodings.
     [] ImageBox<f64>:      "shape",  "an image's box",             "two boxes of an image",         NONE;
     [] Detectron2Box<f64>: "shape",  "detectron2's box",           "two boxes of detectron2",       NONE;
+    [] Le90<f64>:          "shape",  "mmrotate's box (le90)",      "two boxes of mmrotate",         NONE;
+    [] Le135<f64>:         "shape",  "mmrotate's box (le135)",     "two boxes of mmrotate",         NONE;
+    [] OpenCvBox<f64>:     "shape",  "OpenCV's box",               "two boxes of OpenCV",           NONE;
     [] Xyxyr<f64>:         "shape",  "bounds before turning, with the angle", "two bounds with angles", NONE;
     [] KittiBox<f64>:      "shape",  "KITTI's box",                "two boxes of KITTI",            OF_CAMERA;
     [] LidarBox<f64>:      "shape",  "OpenPCDet's box",            "two boxes of OpenPCDet",        UPRIGHT;

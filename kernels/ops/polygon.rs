@@ -35,7 +35,7 @@ fn joint_hull<S: Scalar<Mask = bool>, const N: usize, const K: usize>(
 // invariance is not declared.
 searches! {
     /// The [area](crate::overlap_polygon::intersection_area_polygons) that two convex polygons of up to `N`
-    /// vertices share. Nothing is searched for.
+    /// vertices share.
     IntersectionArea<N> = "intersection_area_polygons":
         (a, b) as (ConvexPolygon<S, N>, ConvexPolygon<S, N>) => S, by ();
     decide |_| {}
@@ -62,7 +62,7 @@ searches! {
     jumps FromZero
 
     /// The [generalised IoU](crate::iou::giou_polygons_search) of two convex polygons of up to `N` vertices.
-    /// Its record says which of them are on the hull.
+    /// It takes the convex hull of both.
     Giou<N, K> = "giou_polygons":
         (a, b) as (ConvexPolygon<S, N>, ConvexPolygon<S, N>) => S, by MergeTrace<K>;
     decide |(a, b)| { joint_hull(&a, &b) }
@@ -72,7 +72,7 @@ searches! {
     jumps FromZero
 
     /// The [distance IoU](crate::iou::diou_polygons_search) of two convex polygons of up to `N` vertices.
-    /// Its record says which of them are farthest apart.
+    /// It takes the diameter of both together.
     Diou<N> = "diou_polygons":
         (a, b) as (ConvexPolygon<S, N>, ConvexPolygon<S, N>) => S, by FarthestCorners;
     decide |(a, b)| { diou_polygons_search(&a, &b).1 }

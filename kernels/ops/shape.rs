@@ -1,9 +1,9 @@
 //! Measures of shapes, and shapes made from shapes, as operations.
 use crate::kernels::ops::noun::Quad;
 use crate::kernels::ops::tables::table;
-use crate::kernels::verbs::{Area, Centroid, Circumcircle, Incircle, Move, Perimeter, SignedArea};
+use crate::kernels::verbs::{Area, Centroid, Circumcircle, Incircle, Perimeter, SignedArea};
 use crate::shape::circumcircle;
-use crate::{Circle, Pose2, Segment2, Triangle2, Vec2, ring};
+use crate::{Aabb2, Capsule2, Circle, Obb2, Triangle2, Triangle3, Vec2, ring};
 
 table! {
     /// The [signed area](Triangle2::signed_area) of {}.
@@ -17,10 +17,25 @@ table! {
     /// The [area](Triangle2::area) of {}.
     Area: (shape) -> S { shape.area() } [rigid(2)] (range NOT_NEGATIVE jumps Never) derivative Reverse {
         "area_triangle": Triangle2;
+        "area_triangle3": Triangle3;
+    }
+    /// The area of {}.
+    Area: (shape) -> S { shape.area().saturated().canonical() } [rigid(2)] (range NOT_NEGATIVE jumps Never)
+    derivative Reverse {
+        "area_aabb2": Aabb2;
+        "area_obb2": Obb2;
+        "area_circle": Circle;
+        "area_capsule": Capsule2;
     }
     /// The [perimeter](Triangle2::perimeter) of {}.
     Perimeter: (shape) -> S { shape.perimeter() } [rigid(1)] (range NOT_NEGATIVE jumps Never) derivative Reverse {
         "perimeter_triangle": Triangle2;
+    }
+    /// The perimeter of {}.
+    Perimeter: (shape) -> S { shape.perimeter().saturated().canonical() } [rigid(1)] (range NOT_NEGATIVE jumps Never)
+    derivative Reverse {
+        "perimeter_circle": Circle;
+        "perimeter_capsule": Capsule2;
     }
     /// The [perimeter](crate::ring::perimeter) of {}.
     Perimeter: (ring) -> S { ring::perimeter(&ring) } [rigid(1)] (range NOT_NEGATIVE jumps Never) derivative Reverse {
@@ -42,9 +57,5 @@ table! {
     /// The circle through three points ([`circumcircle`]). It jumps where they are on one line.
     Circumcircle: (a, b, c) -> Circle<S> { circumcircle(a, b, c) } [] (jumps Anywhere) derivative Reverse {
         "circumcircle": Vec2, Vec2, Vec2;
-    }
-    /// A segment, moved. The pose's cosine and sine count by their direction alone: the segment keeps its length.
-    Move: (pose, segment) -> Segment2<S> { pose.normalized() * segment } [] (jumps Never) derivative Reverse {
-        "move_segment": Pose2, Segment2;
     }
 }

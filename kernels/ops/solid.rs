@@ -1,7 +1,10 @@
 //! Measures of solids as operations.
 use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{Centroid, Inertia, Surface, Volume};
-use crate::{Capsule3, Cone, Cylinder, Obb3, RoundBox3, Sphere, Symmetric3, Tetrahedron, Vec3};
+use crate::{
+    Aabb3, Capsule3, Cone, Cylinder, Obb3, RoundBox3, Sphere, Symmetric3, Tetrahedron, Vec3,
+    YawBox3,
+};
 
 /// Returns the error of a rotated inertia tensor, as a number of roundings of its own moments: products by the
 /// coordinate axes cancel, to zero where two moments are equal.
@@ -18,6 +21,14 @@ table! {
         "volume_tetrahedron": Tetrahedron;
         "volume_round_box": RoundBox3;
     }
+    /// The volume of {}.
+    Volume: (shape) -> S { shape.volume().saturated().canonical() } [rigid(3)]
+    (range NOT_NEGATIVE jumps Never) derivative Reverse {
+        "volume_aabb3": Aabb3;
+        "volume_obb3": Obb3;
+        "volume_yaw": YawBox3;
+        "volume_sphere": Sphere;
+    }
     /// The area of the surface of {}.
     Surface: (shape) -> S { shape.surface() } [rigid(2)] (range NOT_NEGATIVE jumps Never) derivative Reverse {
         "surface_capsule3": Capsule3;
@@ -25,6 +36,14 @@ table! {
         "surface_cone": Cone;
         "surface_tetrahedron": Tetrahedron;
         "surface_round_box": RoundBox3;
+    }
+    /// The area of the surface of {}.
+    Surface: (shape) -> S { shape.surface().saturated().canonical() } [rigid(2)]
+    (range NOT_NEGATIVE jumps Never) derivative Reverse {
+        "surface_aabb3": Aabb3;
+        "surface_obb3": Obb3;
+        "surface_yaw": YawBox3;
+        "surface_sphere": Sphere;
     }
     /// The centre of the volume of {}.
     Centroid: (shape) -> Vec3<S> { shape.center() } [follows] (jumps Never) derivative Reverse {

@@ -18,6 +18,7 @@ pub struct Written {
 
 /// A walk over all rows with their types. Its methods are compiled for every row, so they should convert a row to a
 /// value and leave the rest to untyped code.
+#[doc(hidden)]
 pub trait Walk {
     /// Visits a straight line.
     fn straight<O: Op>(&mut self, row: Written)

@@ -35,7 +35,6 @@ use crate::kernels::row::derivation::Mode;
 pub use crate::kernels::row::derivatives::{Hvp, Jacobian, Jvp, ValueGrad, Vjp};
 pub use crate::kernels::row::limits::{Derivative, Extremes, Finite, Limits, Range};
 use crate::kernels::row::straight_line::Line;
-pub use crate::scalar::real::OneNumber;
 use crate::{Fixed, Pack, Real, Scalar};
 use std::any::TypeId;
 use std::sync::Arc;

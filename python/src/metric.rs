@@ -11,9 +11,9 @@ use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-type Numbers<'py> = PyReadonlyArray1<'py, f64>;
-type Places<'py> = PyReadonlyArray1<'py, i64>;
-type Array<'py, T> = Bound<'py, PyArray1<T>>;
+pub type Numbers<'py> = PyReadonlyArray1<'py, f64>;
+pub type Places<'py> = PyReadonlyArray1<'py, i64>;
+pub type Array<'py, T> = Bound<'py, PyArray1<T>>;
 type Triple<'py> = (Array<'py, i64>, Array<'py, i64>, Array<'py, f64>);
 
 /// The numbers that mark a detection as wrong, and as one that does not count.
@@ -25,7 +25,7 @@ fn place(name: &str, item: usize, x: i64) -> PyResult<usize> {
     usize::try_from(x).map_err(|_| negative())
 }
 
-fn pairs(
+pub fn pairs(
     first: &Places<'_>,
     second: &Places<'_>,
     overlap: &Numbers<'_>,

@@ -253,6 +253,25 @@ impl<'py> Call<'_, 'py> {
         let (each, [rows, columns]) = self.each(&batches, &lists, &slices);
         let machine = &self.machine;
         let items = rows.saturating_mul(columns).saturating_mul(each.len());
+        let (own, others) = if of_rows {
+            (rows, columns)
+        } else {
+            (columns, rows)
+        };
+        if others == 0 {
+            // As in a group: a frame without truths is an ordinary one.
+            let mut shape = batches;
+            shape.push(own);
+            let numpy = self.py.import("numpy")?;
+            let full =
+                |x: Object<'py>| numpy.call_method1("full", (PyTuple::new(self.py, &shape)?, x));
+            let nothing = PyArray1::from_vec(self.py, vec![T::narrowed(f64::NEG_INFINITY)]);
+            let none = PyArray1::from_vec(self.py, vec![-1_isize]);
+            let (nothing, none) = (nothing.get_item(0)?, none.get_item(0)?);
+            return Ok((full(nothing)?, full(none)?)
+                .into_pyobject(self.py)?
+                .into_any());
+        }
         let found: Vec<Best<T>> = self.run(items, || {
             let all = each.into_iter().map(|lists| match of_rows {
                 true => machine.of(function)?.row_max(lists[0], lists[1]),

@@ -12,6 +12,12 @@ use pyo3::types::PyTuple;
 impl<'py> Call<'_, 'py> {
     /// A row of paths: the value, its gradient, or its adjoint.
     pub fn paths(&self, form: Form) -> PyResult<Object<'py>> {
+        if !matches!(form, Form::Value | Form::ValueGrad | Form::Vjp) {
+            return Err(PyTypeError::new_err(format!(
+                "{} is of paths: it has value_grad and vjp",
+                self.name
+            )));
+        }
         let takes = &self.of.takes;
         let wanted = takes.len() + 1 + usize::from(form == Form::Vjp);
         if self.arguments.len() != wanted {
@@ -22,12 +28,6 @@ impl<'py> Call<'_, 'py> {
                 "{} takes {}",
                 self.name,
                 names.join(", ")
-            )));
-        }
-        if !matches!(form, Form::Value | Form::ValueGrad | Form::Vjp) {
-            return Err(PyTypeError::new_err(format!(
-                "{} is of paths: it has value_grad and vjp",
-                self.name
             )));
         }
         let (contexts, rest) = self.arguments.split_at(takes.len());

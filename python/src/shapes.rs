@@ -124,15 +124,20 @@ pub fn dressed<'py>(array: Bound<'py, PyAny>, kind: Kind) -> PyResult<Bound<'py,
     }
 }
 
-/// Wraps symbols in the class of a kind, if there is one; else returns them as a list.
+/// Wraps symbols in the class of a kind, if there is one; else returns an array of objects, as numbers have one.
 pub fn dressed_items<'py>(
     py: Python<'py>,
     items: Vec<Py<PyAny>>,
     kind: Kind,
+    axes: &[usize],
 ) -> PyResult<Bound<'py, PyAny>> {
     match class(py, kind) {
         Some(class) => class.bind(py).call1(PyTuple::new(py, items)?),
-        None => Ok(PyList::new(py, items)?.into_any()),
+        None => {
+            let items = PyList::new(py, items)?;
+            let array = py.import("numpy")?.call_method1("array", (items, "O"))?;
+            array.call_method1("reshape", (PyTuple::new(py, axes)?,))
+        }
     }
 }
 

@@ -1,10 +1,10 @@
 //! Symbols with Python's operators and NumPy's functions.
 use crate::number::{Any, Number, mixed};
 use crate::raised;
-use geograd::kernels::dynamic::symbol::{self as f, Made};
+use geograd::kernels::dynamic::symbol as f;
 use geograd::kernels::dynamic::{Symbol as Of, Truth as TruthOf};
 use numpy::{PyUntypedArray, PyUntypedArrayMethods};
-use pyo3::exceptions::PyTypeError;
+use pyo3::exceptions::{PyAttributeError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
@@ -164,29 +164,31 @@ fn equals(a: Any, b: Any) -> PyResult<AnyTruth> {
 fn swapped(f: Compare, a: Any, b: Any) -> PyResult<AnyTruth> {
     f(b, a)
 }
-/// Returns NumPy's square root: NaN below zero and for NaN, with a derivative that is NaN there. At zero the derivative
-/// is zero.
-fn square_root<T: Number>(x: Of<T>) -> Made<Of<T>> {
-    let (root, zero) = (f::root(x)?, f::literal(0.0)?);
-    // Below zero the root is 0, and 0 / 0 is NaN; the factor x passes it on to the derivative.
-    let none = f::mul(x, f::over(root, root)?)?;
-    f::select(f::at_least(x, zero)?, root, none)
-}
+/// Returns a power with a constant exponent.
 fn power(x: Any, power: f64) -> PyResult<Any> {
-    fn raised_to<T: Number>(x: Of<T>, n: i32) -> Made<Of<T>> {
-        f::powi(x, n)
+    if power.is_nan() || power.abs() > f64::from(1 << 30) {
+        return Err(PyTypeError::new_err(format!(
+            "a power is a number to 2**30, not {power}"
+        )));
     }
-    let whole = |n: i32| match x {
-        Any::Single(x) => raised_to(x, n).map(Any::Single).map_err(refused),
-        Any::Double(x) => raised_to(x, n).map(Any::Double).map_err(refused),
-    };
-    match power {
-        0.5 => one!(x, square_root),
-        n if n.fract() == 0.0 && n.abs() <= 64.0 => whole(n as i32),
-        _ => Err(PyTypeError::new_err(
-            "powers are whole numbers to 64, or 0.5; write geograd.exp(p * geograd.log(x)) for another one of x > 0",
-        )),
+    match x {
+        Any::Single(x) => f::power(x, power).map(Any::Single),
+        Any::Double(x) => f::power(x, power).map(Any::Double),
     }
+    .map_err(refused)
+}
+/// Returns a power whose exponent is a symbol: of a base of at least zero.
+fn power_of(x: Any, power: Any) -> PyResult<Any> {
+    two!(x, power, f::power_of, Any)
+}
+fn logaddexp(a: Any, b: Any) -> PyResult<Any> {
+    two!(a, b, f::ln_of_exponentials, Any)
+}
+fn floor_divide(a: Any, b: Any) -> PyResult<Any> {
+    two!(a, b, f::floor_divide, Any)
+}
+fn remainder(a: Any, b: Any) -> PyResult<Any> {
+    two!(a, b, f::remainder, Any)
 }
 
 /// Returns the result of NumPy's function `name` of one symbol.
@@ -196,7 +198,8 @@ fn of_one(name: &str, x: Any) -> Option<PyResult<Any>> {
         "negative" => one!(x, f::neg),
         "positive" => Ok(x),
         "absolute" | "fabs" | "abs" => one!(x, f::magnitude),
-        "sqrt" => one!(x, square_root),
+        "sqrt" => one!(x, f::root_or_nan),
+        "cbrt" => one!(x, f::cbrt),
         "square" => one!(x, f::squared),
         "reciprocal" => literal(x, 1.0).and_then(|one| over(one, x)),
         "sin" => one!(x, f::sin),
@@ -204,6 +207,25 @@ fn of_one(name: &str, x: Any) -> Option<PyResult<Any>> {
         "tan" => one!(x, f::tan),
         "exp" => one!(x, f::exp),
         "log" => one!(x, f::ln),
+        "exp2" => literal(x, 2.0).and_then(|two| power_of(two, x)),
+        "expm1" => one!(x, f::exp_m1),
+        "log1p" => one!(x, f::ln_1p),
+        "log2" => one!(x, f::log2),
+        "log10" => one!(x, f::log10),
+        "sinh" => one!(x, f::sinh),
+        "cosh" => one!(x, f::cosh),
+        "tanh" => one!(x, f::tanh),
+        "arcsinh" => one!(x, f::arcsinh),
+        "arccosh" => one!(x, f::arccosh),
+        "arctanh" => one!(x, f::arctanh),
+        "arcsin" => one!(x, f::arcsin),
+        "arccos" => one!(x, f::arccos),
+        "arctan" => one!(x, f::arctan),
+        "rint" => one!(x, f::rint),
+        "floor" => one!(x, f::floor),
+        "ceil" => one!(x, f::ceil),
+        "trunc" => one!(x, f::trunc),
+        "sign" => one!(x, f::sign),
         "deg2rad" | "radians" => by(1.0_f64.to_radians()),
         "rad2deg" | "degrees" => by(1.0_f64.to_degrees()),
         _ => return None,
@@ -224,6 +246,10 @@ fn of_two(name: &str) -> Option<Two> {
         "arctan2" => atan2,
         "hypot" => hypot,
         "copysign" => signed_as,
+        "power" | "float_power" => power_of,
+        "logaddexp" => logaddexp,
+        "floor_divide" => floor_divide,
+        "remainder" | "mod" => remainder,
         _ => return None,
     })
 }
@@ -241,8 +267,17 @@ fn comparison(name: &str) -> Option<Compare> {
 }
 
 /// The operations that can be recorded, for messages.
-const RECORDED: &str = "+ - * / **, abs, sqrt, square, sin, cos, tan, exp, log, arctan2, hypot, copysign, minimum, maximum, clip, where, \
-                        comparisons and geograd's verbs";
+const RECORDED: &str = "+ - * / // % **, abs, sign, sqrt, cbrt, square, power, floor, ceil, trunc, rint, sin, cos, tan, \
+                        arcsin, arccos, arctan, arctan2, sinh, cosh, tanh, arcsinh, arccosh, arctanh, exp, exp2, expm1, log, \
+                        log1p, log2, log10, logaddexp, hypot, copysign, minimum, maximum, clip, where, comparisons and \
+                        geograd's verbs";
+
+/// NumPy's functions of one argument that are not methods of a symbol: it calls them on items of arrays of objects.
+const OF_ITEMS: [&str; 23] = [
+    "cbrt", "exp2", "expm1", "log1p", "log2", "log10", "sinh", "cosh", "tanh", "arcsinh",
+    "arccosh", "arctanh", "arcsin", "arccos", "arctan", "rint", "trunc", "floor", "ceil",
+    "deg2rad", "rad2deg", "radians", "degrees",
+];
 
 /// Calls NumPy's function `name` on symbols and numbers; `None` where an argument is neither.
 fn called(py: Python<'_>, name: &str, inputs: &[Bound<'_, PyAny>]) -> PyResult<Option<Py<PyAny>>> {
@@ -279,9 +314,8 @@ fn called(py: Python<'_>, name: &str, inputs: &[Bound<'_, PyAny>]) -> PyResult<O
     };
     match &all[..] {
         [x] => made(py, of_one(name, *x).ok_or_else(unknown)??).map(Some),
-        [x, _] if name == "power" => {
-            let p = inputs[1].extract::<f64>().map_err(|_| unwritten_power())?;
-            made(py, power(*x, p)?).map(Some)
+        [x, _] if matches!(name, "power" | "float_power") && inputs[1].extract::<f64>().is_ok() => {
+            made(py, power(*x, inputs[1].extract()?)?).map(Some)
         }
         [a, b] => match (of_two(name), comparison(name)) {
             (Some(f), _) => made(py, f(*a, *b)?).map(Some),
@@ -290,12 +324,6 @@ fn called(py: Python<'_>, name: &str, inputs: &[Bound<'_, PyAny>]) -> PyResult<O
         },
         _ => Err(unknown()),
     }
-}
-
-fn unwritten_power() -> PyErr {
-    PyTypeError::new_err(
-        "a power of a symbol must be a number: write geograd.exp(p * geograd.log(x)) for x > 0",
-    )
 }
 
 fn joined(a: AnyTruth, b: AnyTruth, both: bool) -> PyResult<AnyTruth> {
@@ -338,7 +366,7 @@ fn compared(
 fn no_number() -> PyErr {
     PyTypeError::new_err(
         "a symbol is no number yet: the function is recorded once for all inputs. Use geograd.sqrt or numpy.sqrt (sin, cos, exp, \
-         log, …) instead of math.sqrt, and no int(), float() or round()",
+         log, …) instead of math.sqrt, and numpy.trunc and numpy.rint instead of int() and round(); there is no float()",
     )
 }
 
@@ -368,17 +396,48 @@ impl Symbol {
     fn __rtruediv__(&self, other: &Bound<'_, PyAny>) -> Out {
         binary(self, other, |a, b| over(b, a))
     }
-    fn __pow__(&self, p: &Bound<'_, PyAny>, _modulo: &Bound<'_, PyAny>) -> Out {
-        match p.cast::<Symbol>().is_ok() {
-            true => Err(unwritten_power()),
-            false => made(
-                p.py(),
-                power(self.0, p.extract::<f64>().map_err(|_| unwritten_power())?)?,
-            ),
+    fn __pow__(&self, exponent: &Bound<'_, PyAny>, _modulo: &Bound<'_, PyAny>) -> Out {
+        match exponent.extract::<f64>() {
+            Ok(constant) => made(exponent.py(), power(self.0, constant)?),
+            Err(_) => binary(self, exponent, power_of),
         }
     }
-    fn __rpow__(&self, _base: &Bound<'_, PyAny>, _modulo: &Bound<'_, PyAny>) -> Out {
-        Err(unwritten_power())
+    fn __rpow__(&self, base: &Bound<'_, PyAny>, _modulo: &Bound<'_, PyAny>) -> Out {
+        binary(self, base, |a, b| power_of(b, a))
+    }
+    fn __mod__(&self, other: &Bound<'_, PyAny>) -> Out {
+        binary(self, other, remainder)
+    }
+    fn __rmod__(&self, other: &Bound<'_, PyAny>) -> Out {
+        binary(self, other, |a, b| remainder(b, a))
+    }
+    fn __floordiv__(&self, other: &Bound<'_, PyAny>) -> Out {
+        binary(self, other, floor_divide)
+    }
+    fn __rfloordiv__(&self, other: &Bound<'_, PyAny>) -> Out {
+        binary(self, other, |a, b| floor_divide(b, a))
+    }
+    // NumPy calls these for items, by way of `math`.
+    fn __floor__(&self) -> PyResult<Symbol> {
+        one!(self.0, f::floor).map(Symbol)
+    }
+    fn __ceil__(&self) -> PyResult<Symbol> {
+        one!(self.0, f::ceil).map(Symbol)
+    }
+    fn __trunc__(&self) -> PyResult<Symbol> {
+        one!(self.0, f::trunc).map(Symbol)
+    }
+    /// A function of NumPy as a method, as it is called on items of arrays of objects.
+    fn __getattr__(slf: &Bound<'_, Self>, name: &str) -> Out {
+        let py = slf.py();
+        if !OF_ITEMS.contains(&name) {
+            return Err(PyAttributeError::new_err(format!(
+                "a symbol is one number, without {name}"
+            )));
+        }
+        let elementary = py.import("geograd._core")?.getattr("elementary")?;
+        let partial = py.import("functools")?.getattr("partial")?;
+        Ok(partial.call1((elementary, name, slf))?.unbind())
     }
     fn __lt__(&self, other: &Bound<'_, PyAny>) -> Out {
         compared(self, other, below)
@@ -422,8 +481,11 @@ impl Symbol {
     fn __int__(&self) -> PyResult<i64> {
         Err(no_number())
     }
+    #[pyo3(signature = (_digits=None))]
     fn __round__(&self, _digits: Option<&Bound<'_, PyAny>>) -> PyResult<Symbol> {
-        Err(no_number())
+        Err(PyTypeError::new_err(
+            "round() cannot be recorded: write numpy.rint, whose derivative is zero",
+        ))
     }
     fn __iter__(&self) -> PyResult<Symbol> {
         Err(PyTypeError::new_err("a symbol is one number, not a list"))
@@ -446,7 +508,7 @@ impl Symbol {
 
     // NumPy calls these on the items of arrays of objects.
     fn sqrt(&self) -> PyResult<Symbol> {
-        one!(self.0, square_root).map(Symbol)
+        one!(self.0, f::root_or_nan).map(Symbol)
     }
     fn square(&self) -> PyResult<Symbol> {
         one!(self.0, f::squared).map(Symbol)

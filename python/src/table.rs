@@ -1,7 +1,7 @@
 //! The table of rows: shapes by number, and the arguments and results of every row.
 use crate::column::{Column, Kind, NUMBER, NUMBERS, RING};
-use geograd::kernels::dynamic::{Bound, Layout, Operation, Sampler, Sort, names};
-use geograd_rows::operations;
+use geograd::kernels::dynamic::{Bound, Layout, Operation, Sampler, Sort};
+use geograd_rows::{names, operations};
 use std::collections::HashMap;
 use std::sync::OnceLock;
 

@@ -25,30 +25,41 @@ fn lock() -> MutexGuard<'static, Option<ProcessPool>> {
     POOL.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// How many threads calls use.
+/// The largest number of threads: starting more takes seconds.
+const MOST: usize = 1024;
+
+/// Returns an error unless a number of threads is from 1 to [`MOST`].
+fn allowed(name: &str, threads: Option<i64>, given: &str) -> PyResult<usize> {
+    let threads = threads.and_then(|n| usize::try_from(n).ok());
+    threads.filter(|n| (1..=MOST).contains(n)).ok_or_else(|| {
+        PyValueError::new_err(format!(
+            "{name}: a whole number from 1 to {MOST} is needed, not {given}"
+        ))
+    })
+}
+
+/// How many threads calls use: `GEOGRAD_THREADS`, or as many as there are processors.
 #[pyfunction]
-pub fn get_num_threads() -> usize {
+pub fn get_num_threads() -> PyResult<usize> {
     match THREADS.load(Ordering::Relaxed) {
         0 => {
-            let asked = std::env::var("GEOGRAD_THREADS").ok();
-            let asked = asked
-                .and_then(|asked| asked.trim().parse().ok())
-                .filter(|&n| n > 0);
+            let asked = std::env::var("GEOGRAD_THREADS").unwrap_or_default();
             let all = || std::thread::available_parallelism().map_or(1, usize::from);
-            let threads = asked.unwrap_or_else(all);
+            let threads = match asked.trim() {
+                "" => all().min(MOST),
+                asked => allowed("GEOGRAD_THREADS", asked.parse().ok(), asked)?,
+            };
             THREADS.store(threads, Ordering::Relaxed);
-            threads
+            Ok(threads)
         }
-        threads => threads,
+        threads => Ok(threads),
     }
 }
 
-/// Sets how many threads calls use.
+/// Sets how many threads calls use, from 1 to 1024.
 #[pyfunction]
-pub fn set_num_threads(threads: usize) -> PyResult<()> {
-    if threads == 0 {
-        return Err(PyValueError::new_err("threads: at least 1 is needed"));
-    }
+pub fn set_num_threads(threads: i64) -> PyResult<()> {
+    let threads = allowed("threads", Some(threads), &threads.to_string())?;
     THREADS.store(threads, Ordering::Relaxed);
     Ok(())
 }
@@ -104,7 +115,7 @@ pub fn on_threads<R: Send>(
     items: usize,
     run: impl FnOnce() -> R + Send,
 ) -> PyResult<R> {
-    let threads = get_num_threads();
+    let threads = get_num_threads()?;
     if threads == 1 || items <= FEW {
         return Ok(py.detach(|| geograd::kernels::dynamic::on_this_thread(run)));
     }

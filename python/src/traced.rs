@@ -270,6 +270,31 @@ impl Program {
             )),
         }
     }
+    /// A function of C, `void NAME(const T *x, T *out)`, with the bits of the library; it needs no library.
+    #[pyo3(signature = (name="function_of"))]
+    fn c(&self, name: &str) -> PyResult<String> {
+        either!(self, |program| program.c(name).map_err(raised))
+    }
+    /// The header of the function of C, which names the numbers.
+    #[pyo3(signature = (name="function_of"))]
+    fn c_header(&self, name: &str) -> PyResult<String> {
+        either!(self, |program| program.c_header(name).map_err(raised))
+    }
+    /// A kernel of CUDA over rows, `NAME(count, inner, of_a, a_step, a_inner, ..., out0, ...)`, for NVRTC.
+    #[pyo3(signature = (name="function_of"))]
+    fn cuda(&self, name: &str) -> PyResult<String> {
+        either!(self, |program| program.cuda(name).map_err(raised))
+    }
+    /// A module of JavaScript that exports the function, with the bits of the library; of float64 only.
+    #[pyo3(signature = (name="function_of"))]
+    pub fn javascript(&self, name: &str) -> PyResult<String> {
+        match &self.of {
+            InEither::Double(program) => program.javascript(name).map_err(raised),
+            InEither::Single(_) => Err(PyTypeError::new_err(
+                "the numbers of JavaScript are float64: take the program of float64",
+            )),
+        }
+    }
     fn __str__(&self) -> String {
         either!(self, |program| program.to_string())
     }

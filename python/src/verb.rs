@@ -7,6 +7,7 @@ use crate::grouped::SuppressArguments;
 use crate::machine::Machine;
 use crate::number::{Any, Form, Number};
 use crate::pairs::Pairs;
+use crate::polygons::Polygons;
 use crate::raised;
 use crate::shapes::{Content, Paths, Shape, dressed_items};
 use crate::symbol::{Symbol, number};
@@ -102,17 +103,10 @@ impl RequestedKinds {
 fn one_kind(kind: &Object<'_>) -> PyResult<Kind> {
     if let Ok(name) = kind.cast::<PyString>() {
         let name = name.to_cow()?;
-        return table().kind(&name).ok_or_else(|| {
-            let known: Vec<&str> = table()
-                .shapes
-                .iter()
-                .map(|shape| shape.name.as_str())
-                .collect();
-            PyValueError::new_err(format!(
-                "kind: no shape is called {name:?}; shapes are {}",
-                known.join(", ")
-            ))
-        });
+        return match table().kind(&name) {
+            Some(kind) => Ok(kind),
+            None => Err(unknown_shape(kind.py(), &name)?),
+        };
     }
     match kind.getattr("_kind") {
         Ok(kind) => kind.extract(),
@@ -120,6 +114,30 @@ fn one_kind(kind: &Object<'_>) -> PyResult<Kind> {
             "kind: the name of a shape, its class, or a tuple of such is needed",
         )),
     }
+}
+
+/// Returns the error for a name that no shape has: the names that are like it, or all.
+fn unknown_shape(py: Python<'_>, name: &str) -> PyResult<PyErr> {
+    let known: Vec<&str> = table()
+        .shapes
+        .iter()
+        .map(|shape| shape.name.as_str())
+        .collect();
+    let is_alike = |known: &&&str| known.eq_ignore_ascii_case(name);
+    let alike: Vec<String> = match known.iter().find(is_alike) {
+        Some(&known) => vec![known.to_owned()],
+        None => py
+            .import("difflib")?
+            .call_method1("get_close_matches", (name, &known))?
+            .extract()?,
+    };
+    let hint = match &alike[..] {
+        [] => format!("shapes are {}", known.join(", ")),
+        alike => format!("is it {}?", alike.join(" or ")),
+    };
+    Ok(PyValueError::new_err(format!(
+        "kind: no shape is called {name:?}; {hint}"
+    )))
 }
 
 /// How many arguments a form takes beside those of the row.
@@ -279,6 +297,10 @@ impl Verb {
         [kind, to, out]: [Option<&Object<'py>>; 3],
         backend: Option<&str>,
     ) -> PyResult<Object<'py>> {
+        if arguments.iter().any(|x| x.is_instance_of::<Polygons>()) || self.is_of_points(arguments)
+        {
+            return self.of_polygons(py, name, arguments, [kind, to, out], backend);
+        }
         let row = self.row(arguments, kind, to, name)?;
         if let Some(like) = arguments.iter().find_map(|x| symbol_in(x, 0)) {
             if out.is_some() {
@@ -294,6 +316,32 @@ impl Verb {
             true => call.paths(form),
             false => call.item_by_item(form),
         }
+    }
+    /// Returns `true` for a verb of sets of points, given as paths.
+    fn is_of_points(&self, arguments: &[Object<'_>]) -> bool {
+        const OF_POINTS: [&str; 4] = ["diameter", "minimum_circle", "minimum_rectangle", "width"];
+        arguments
+            .first()
+            .is_some_and(|x| x.is_instance_of::<Paths>())
+            && OF_POINTS.contains(&self.of().name.as_str())
+    }
+    /// Runs a form of polygons, whose arguments Python arranges.
+    fn of_polygons<'py>(
+        &self,
+        py: Python<'py>,
+        form: &str,
+        arguments: &[Object<'py>],
+        options: [Option<&Object<'py>>; 3],
+        backend: Option<&str>,
+    ) -> PyResult<Object<'py>> {
+        if options.iter().flatten().any(|x| !x.is_none()) || backend.is_some_and(|x| x != "cpu") {
+            return Err(PyTypeError::new_err(format!(
+                "geograd.{}.{form} of Polygons takes no options: they are columns of one kind, on the CPU",
+                self.of().name
+            )));
+        }
+        let run = py.import("geograd._polygons")?.getattr("run")?;
+        run.call1((&self.of().name, form, PyTuple::new(py, arguments)?))
     }
     /// The row of symbols, as part of the function that is being recorded.
     fn recorded<'py, T: Number>(
@@ -353,7 +401,7 @@ impl Verb {
                     .next()
                     .unwrap_or_else(|| py.None())
                     .into_bound(py),
-                _ => dressed_items(py, own, column.kind)?,
+                (axes, _) => dressed_items(py, own, column.kind, axes)?,
             });
         }
         let call = self.call(py, row, arguments, None, None)?;
@@ -415,10 +463,20 @@ fn flat<T: Number>(
         into.push(symbol);
         return Ok(());
     }
+    if let Ok(paths) = x.cast::<Paths>() {
+        // Constant vertices: those of one path.
+        let paths = paths.get();
+        return match paths.offsets.bind(x.py()).len() {
+            2 => flat(paths.vertices.bind(x.py()), into, depth + 1),
+            _ => Err(PyTypeError::new_err(
+                "a verb of symbols takes one path: write a loop over several, or the minimum of their results",
+            )),
+        };
+    }
     let is_list = x.cast::<PyList>().is_ok()
         || x.cast::<PyTuple>().is_ok()
         || x.cast::<PyUntypedArray>()
-            .is_ok_and(|array| array.ndim() == 1);
+            .is_ok_and(|array| array.ndim() > 0);
     if !is_list || depth > 4 {
         return Err(PyTypeError::new_err(format!(
             "a verb of symbols takes shapes of symbols, symbols and numbers, one item each, not {}",
@@ -510,6 +568,9 @@ impl Verb {
         groups: Option<&Object<'py>>,
     ) -> PyResult<Object<'py>> {
         let lists = [a, b];
+        if lists.iter().any(|x| x.is_instance_of::<Polygons>()) {
+            return self.of_polygons(py, form, &lists, [kind, groups, out], backend);
+        }
         let row = self.row_of_pairs(&lists, kind, form)?;
         let call = self.call(py, row, &lists, out, backend)?;
         call.of_pairs(Pairs::named(form)?, more, groups)
@@ -535,10 +596,10 @@ impl Verb {
     }
     /// The operations of a form of a row, in a format.
     #[pyo3(signature = (*, kind, to=None, form="value", double=true))]
-    fn program<'py>(
+    fn program(
         &self,
-        kind: &Object<'py>,
-        to: Option<&Object<'py>>,
+        kind: &Object<'_>,
+        to: Option<&Object<'_>>,
         form: &str,
         double: bool,
     ) -> PyResult<Program> {
@@ -564,6 +625,18 @@ impl Verb {
             (Some(row), None) => Program::of(&row.call, form, double),
             _ => Err(self.refused(&[], "program", "kind= must name one row")),
         }
+    }
+    /// A module of JavaScript that exports a form of a row, by the verb's name if none is given.
+    #[pyo3(signature = (*, kind, to=None, form="value", name=None))]
+    fn javascript(
+        &self,
+        kind: &Object<'_>,
+        to: Option<&Object<'_>>,
+        form: &str,
+        name: Option<&str>,
+    ) -> PyResult<String> {
+        let program = self.program(kind, to, form, true)?;
+        program.javascript(name.unwrap_or(&self.of().name))
     }
 }
 

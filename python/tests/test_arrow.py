@@ -299,3 +299,18 @@ def test_the_program_of_the_page_prints_what_it_shows(capsys):
     ((code, shown),) = re.findall(r"```python\n(.*?)```\n+```text\n(.*?)```", text, re.S)
     exec(compile(code, "DATASETS.md", "exec", dont_inherit=True), {})
     assert capsys.readouterr().out == shown
+
+
+def test_a_frame_of_polars():
+    polars = pytest.importorskip("polars")
+    a, b = np.random.default_rng(1).uniform(1, 3, (2, 4, 5))
+    frame = polars.from_arrow(pa.table({"name": list("abcd"), "a": geograd.arrow.column(a), "b": geograd.arrow.column(b)}))
+    made = geograd.arrow.Apply("iou", ["a", "b"], "Obb2")(frame)
+    assert isinstance(made, polars.DataFrame) and made.columns == ["name", "a", "b", "value"]
+    np.testing.assert_array_equal(made["value"], geograd.iou(a, b, kind="Obb2"))
+    with pytest.raises(TypeError, match="`a`: a column is needed, not a table of name, a, b"):
+        geograd.iou(frame, frame, kind="Obb2")
+    with pytest.raises(TypeError, match="a table or a batch of Arrow or Polars is needed, not dict"):
+        geograd.arrow.Apply("iou", ["a", "b"], "Obb2")({"a": a})
+    with pytest.raises(ValueError, match="no verb is called 'iuo'; is it iou"):
+        geograd.arrow.Apply("iuo", ["a", "b"], "Obb2")

@@ -39,6 +39,18 @@ def test_a_verb_that_gives_a_shape(context):
     np.testing.assert_array_equal(geograd.arrow.array(found), geograd.corners(A, kind="Obb2").array)
 
 
+def test_columns_of_double_precision():
+    made = datafusion.SessionContext()
+    a, b = A.astype("f8"), B.astype("f8")
+    columns = {"a": geograd.arrow.column(a), "b": geograd.arrow.column(b)}
+    made.register_record_batches("boxes", [[pa.RecordBatch.from_pydict(columns)]])
+    assert geograd.datafusion.register(made, "iou", "Obb2", precision="f64") == "iou_obb2"
+    found = made.sql("select iou_obb2(a, b) as iou from boxes").to_arrow_table()["iou"]
+    np.testing.assert_array_equal(found, geograd.iou(a, b, kind="Obb2"))
+    with pytest.raises(ValueError, match="precision is 'f32' or 'f64', not 'f16'"):
+        geograd.datafusion.register(made, "iou", "Obb2", precision="f16")
+
+
 def test_the_grouped_join(context):
     boxes = context.table("boxes")
     joined = geograd.datafusion.join(context, "iou", boxes, boxes, 0.3, on="frame", a="a", b="b", kind="Obb2").to_arrow_table()

@@ -22,6 +22,7 @@ NEEDS = {
     "planted_fault": [],
     "dataset_ap": ["pyarrow"],
     "map_overlay": ["geopandas", "pyarrow"],
+    "obb_ap": [],
 }
 
 
@@ -135,3 +136,14 @@ def test_train_head_learns(tmp_path):
 def test_the_harness_refuses_the_planted_faults():
     printed = run("planted_fault", "--samples", 50)
     assert "accepted the right gradient and refused the others" in printed
+
+
+def test_obb_ap():
+    lines = run("obb_ap", "--images", 20, "--seed", 3).splitlines()
+    assert lines[1].split() == ["probiou", "exact"] * 3
+    table = {line.split()[0]: [float(x) for x in line.split()[1:]] for line in lines[2:]}
+    assert set(table) == {"tank", "car", "ship", "bridge"}
+    for row in table.values():
+        # Probabilistic IoU is the larger score of boxes that are near, so that more of them count.
+        assert len(row) == 6 and all(0.2 < exact <= by_gaussians < 1 for by_gaussians, exact in zip(row[::2], row[1::2]))
+        assert row[2] - row[3] > 0.1

@@ -199,11 +199,11 @@ KEPT = []
         (lambda x, y: round(x), "round"),
         (lambda x, y: x == y, "numpy.equal"),
         (lambda x, y: x in [y], "=="),
-        (lambda x, y: x**y, "geograd.exp"),
-        (lambda x, y: 2**x, "geograd.exp"),
-        (lambda x, y: x**0.3, "geograd.exp"),
-        (lambda x, y: x % y, "unsupported operand"),
-        (lambda x, y: np.sinh(x), "numpy.sinh cannot be recorded"),
+        (lambda x, y: x**np.inf, "a power is a number"),
+        (lambda x, y: x**"2", "unsupported operand"),
+        (lambda x, y: round(x), "numpy.rint"),
+        (lambda x, y: int(x), "numpy.trunc"),
+        (lambda x, y: np.nextafter(x, y), "numpy.nextafter cannot be recorded"),
         (lambda x, y: np.linalg.norm(x), "cannot be recorded"),
         (lambda x, y: "text", "text"),
         (lambda x, y: None, "None"),
@@ -224,6 +224,11 @@ def test_what_cannot_be_recorded(body, says):
     # The line that is wrong is the last of this file that the traceback names, unless it is the result.
     names = [entry.name for entry in error.traceback]
     assert "<lambda>" in names or says in ("text", "None")
+
+
+def test_a_symbol_has_no_other_attributes():
+    with pytest.raises(AttributeError, match="a symbol is one number, without spherical"):
+        geograd.function(lambda x: x.spherical)(1.0)
 
 
 def test_a_recording_ends_with_its_error():

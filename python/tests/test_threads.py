@@ -38,8 +38,8 @@ def test_threads_change_no_bit(many, threads):
     for value, derivatives in made[1:]:
         np.testing.assert_array_equal(value, made[0][0])
         np.testing.assert_array_equal(derivatives[0], made[0][1][0])
-    for wrong in (0, -1):
-        with pytest.raises((ValueError, OverflowError)):
+    for wrong in (0, -1, 1025, 100_000):
+        with pytest.raises(ValueError, match=f"threads: a whole number from 1 to 1024 is needed, not {wrong}"):
             geograd.set_num_threads(wrong)
 
 
@@ -58,7 +58,21 @@ def run(code, **environment):
 def test_threads_of_the_environment():
     code = "import geograd; print(geograd.get_num_threads())"
     assert run(code, GEOGRAD_THREADS="3") == ["3"]
-    assert int(run(code, GEOGRAD_THREADS="nonsense")[0]) >= 1
+    assert int(run(code, GEOGRAD_THREADS="")[0]) >= 1
+
+
+@pytest.mark.parametrize("asked", ["nonsense", "-1", "3.5", "0", "1000000"])
+def test_a_number_of_threads_of_the_environment_that_cannot_be_is_an_error(asked):
+    code = f"""
+        import geograd
+        try:
+            geograd.iou([0, 0, 1, 1, 0], [0, 0, 1, 1, 0], kind="Obb2")
+        except ValueError as error:
+            assert str(error) == "GEOGRAD_THREADS: a whole number from 1 to 1024 is needed, not {asked}", error
+            geograd.set_num_threads(1)
+            print(geograd.iou([0, 0, 1, 1, 0], [0, 0, 1, 1, 0], kind="Obb2"))
+    """
+    assert run(code, GEOGRAD_THREADS=asked) == ["1.0"]
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork here")

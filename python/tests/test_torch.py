@@ -186,16 +186,20 @@ def test_errors_say_what_to_do():
     with pytest.raises(AttributeError, match="no attribute 'iuo'"):
         geograd.torch.iuo
     if torch.cuda.is_available():
-        with pytest.raises(TypeError, match=r"computes on the CPU.*\.cpu\(\)"):
-            iou(a.cuda(), b.cuda())
+        assert torch.allclose(iou(a.cuda(), b.cuda()).cpu(), iou(a, b))
 
 
 def test_a_tensor_elsewhere_says_what_to_do():
     class Elsewhere(torch.Tensor):
+        device = torch.device("xpu:0")
+
+    class OnCard(torch.Tensor):
         device = torch.device("cuda:0")
 
-    with pytest.raises(TypeError, match=r"cuda:0: move it with \.cpu\(\)"):
+    with pytest.raises(TypeError, match=r"xpu:0: move it with \.cpu\(\)"):
         iou(torch.ones(2, 5).as_subclass(Elsewhere), torch.ones(2, 5))
+    with pytest.raises(TypeError, match="one tensor is on cuda:0, another on cpu"):
+        iou(torch.ones(2, 5).as_subclass(OnCard), torch.ones(2, 5))
 
 
 def test_formats_promote():

@@ -27,7 +27,8 @@
 //!
 //! [`valid`] gives results that are valid: one polygon per part, with simple rings and a connected inside. Its vertices
 //! are rounded to a grid of the format, with steps of the last digit of the largest coordinate, by snap rounding: rings
-//! move by less than a step, and do not cross. ([`valid_search`] and [`valid_replay`] are its two halves.) Derivatives
+//! move by less than a step, and do not cross. ([`valid_search`] and [`valid_replay`] are its two halves,
+//! [`valid_vjp`](crate::ad::adjoint::boolean::valid_vjp) is the adjoint.) Derivatives
 //! are those of the origin of each vertex, and so, for polygons in general position, those of the usual result. A part
 //! narrower than a step may vanish and has no derivative then. If edges lie along each other, two vertices at one point
 //! become one, with the mean of their derivatives.
@@ -77,6 +78,7 @@ mod valid;
 pub use pieces::is_cut_alike;
 #[cfg(feature = "boolean")]
 pub use pieces::overlay_search;
+pub(crate) use records::ValidOrigin;
 pub use records::{
     BooleanOperation, EdgeId, IouTrace, Origin, OverlayTrace, Owner, ValidTrace, VertexId,
 };

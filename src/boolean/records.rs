@@ -115,7 +115,7 @@ pub struct IouTrace {
     not(feature = "boolean"),
     expect(dead_code, reason = "a replay needs no feature, its record does")
 )]
-pub(super) enum ValidOrigin {
+pub(crate) enum ValidOrigin {
     /// The mean of some points.
     Of(Vec<Origin>),
     /// A point at a fixed fraction of an edge.
@@ -126,7 +126,7 @@ pub(super) enum ValidOrigin {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ValidTrace {
     pub(super) places: Vec<[f64; 2]>,
-    pub(super) made: Vec<ValidOrigin>,
+    pub(crate) made: Vec<ValidOrigin>,
     /// The number of vertices up to the end of each ring.
     pub(super) rings: Vec<usize>,
     /// The number of rings up to the end of each part.

@@ -134,6 +134,7 @@ pub trait Convex<S: Scalar>: Copy {
 }
 
 /// A function of two convex shapes, with a formula for each kind of pair.
+#[doc(hidden)]
 pub trait PairFormula<S: Scalar> {
     /// Its result.
     type Out;

@@ -257,7 +257,7 @@ fn counter_clockwise<S: Scalar, const N: usize>(mut corners: [Vec2<S>; N]) -> [V
 }
 
 /// The orientation of a box: along the axes, or turned by a rotation.
-pub trait Turn<S: Scalar>: Copy {
+pub(crate) trait Turn<S: Scalar>: Copy {
     /// Turns a vector from the box's own axes to the world's.
     fn out(&self, v: Vec2<S>) -> Vec2<S>;
     /// Turns a vector from the world's axes to the box's own.
@@ -301,30 +301,32 @@ pub struct BoxCore<S, R> {
     pub turn: R,
 }
 
-impl<S: Scalar, R: Turn<S>> BoxCore<S, R> {
-    /// Returns the normals of the faces, how far the faces are from the centre, and half their lengths.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn faces(&self) -> [(Vec2<S>, S, S); 4] {
-        let (right, up) = (
-            self.turn.out(Vec2::new(S::one(), S::zero())),
-            self.turn.out(Vec2::new(S::zero(), S::one())),
-        );
-        let Vec2 { x, y } = self.half;
-        [(right, x, y), (-right, x, y), (up, y, x), (-up, y, x)]
-    }
-    /// Returns the distance in front of each face at which another core begins.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn faces_deep<B: Core<S>>(&self, other: &B) -> [Best<S, Deepest<S>>; 4] {
-        self.faces().each_as(|(normal, half, side)| {
-            let face = Edge {
-                from: self.center + normal * half,
-                along: normal.perp(),
-                low: -side,
-                high: side,
-            };
-            face_deep(face, normal, other)
-        })
-    }
+/// Returns the normals of the faces of a box, how far the faces are from the centre, and half their lengths.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn faces<S: Scalar, R: Turn<S>>(of: &BoxCore<S, R>) -> [(Vec2<S>, S, S); 4] {
+    let (right, up) = (
+        of.turn.out(Vec2::new(S::one(), S::zero())),
+        of.turn.out(Vec2::new(S::zero(), S::one())),
+    );
+    let Vec2 { x, y } = of.half;
+    [(right, x, y), (-right, x, y), (up, y, x), (-up, y, x)]
+}
+
+/// Returns the distance in front of each face of a box at which another core begins.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn faces_deep<S: Scalar, R: Turn<S>, B: Core<S>>(
+    of: &BoxCore<S, R>,
+    other: &B,
+) -> [Best<S, Deepest<S>>; 4] {
+    faces(of).each_as(|(normal, half, side)| {
+        let face = Edge {
+            from: of.center + normal * half,
+            along: normal.perp(),
+            low: -side,
+            high: side,
+        };
+        face_deep(face, normal, other)
+    })
 }
 
 impl<S: Scalar, R: Turn<S>> Core<S> for BoxCore<S, R> {
@@ -401,7 +403,7 @@ impl<S: Scalar, R: Turn<S>> Core<S> for BoxCore<S, R> {
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn inside(&self, beam: Beam<S>, _: S) -> Inside<S> {
-        self.faces()
+        faces(self)
             .into_iter()
             .fold(Inside::everywhere(), |inside, (normal, half, _)| {
                 inside.behind(beam, self.center + normal * half, normal)
@@ -409,7 +411,7 @@ impl<S: Scalar, R: Turn<S>> Core<S> for BoxCore<S, R> {
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn deep<B: Core<S>>(&self, other: &B) -> Best<S, Deepest<S>> {
-        Best::most_of(self.faces_deep(other).into_iter())
+        Best::most_of(faces_deep(self, other).into_iter())
     }
     /// Returns the lowest point of the box without its corners, by half the projections of its diagonals. Corners that
     /// tie are replaced by their middle.

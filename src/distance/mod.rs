@@ -60,7 +60,7 @@ pub use convex::{
     Convex, closest_points, depth, distance, farthest_distance, farthest_points, penetration,
     signed_distance, squared_distance,
 };
-pub use corners::Core;
+pub(crate) use corners::Core;
 pub use edge::{edge_distance, edge_squared_distance, edge_winding};
 pub use outcome::{Contact, FarthestPoints, PointPair};
 pub use shapes::repeat_last;

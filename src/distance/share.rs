@@ -2,6 +2,7 @@
 use crate::{Scalar, Vec2};
 
 /// Values that can be added up and divided: a [`Best`] carries one.
+#[doc(hidden)]
 pub trait Carry<S: Scalar>: Copy {
     /// Returns the sum where `tie`, else `self` where `keep`, else `other`.
     fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self;

@@ -1,5 +1,5 @@
 //! Distances of two rotated boxes, in the frame of one of them.
-use super::cores::{BoxCore, Upright};
+use super::cores::{BoxCore, Upright, faces_deep};
 use super::edge::{direction, scale_of, size_of};
 use super::outcome::{Contact, PointPair};
 use super::relation::{Relation, joined};
@@ -126,7 +126,7 @@ fn deepest<S: Scalar>(pair: &Relative<S>) -> Best<S, Deepest<S>> {
         [0, 1].each_as(|axis| (of_a[axis], of_b[axis], more[axis]))
     });
     let [[right, up], [left, down]] = aheads;
-    let (own, other) = (of_a.faces_deep(&of_b), of_b.faces_deep(&of_a));
+    let (own, other) = (faces_deep(&of_a, &of_b), faces_deep(&of_b, &of_a));
     // The face of b that looks at a's right side is b's left one.
     let facing = [right, left, up, down].into_iter().zip([1, 0, 3, 2]);
     let pairs = facing.enumerate().map(|(k, ((of_a, of_b, more), back))| {

@@ -1,5 +1,5 @@
 //! Pairs of shapes of space that have distances, and the functions of any of them.
-use super::core::{Core, PointCore};
+use super::core::{Core3, PointCore};
 use super::cored::InflatedCore;
 use super::half_space::{self, Bounded};
 use super::outcome::{Contact3, PointPair3};
@@ -192,7 +192,7 @@ impl<A: InflatedCore, B: InflatedCore<Scalar = A::Scalar>> Apart<B> for A {
     type Scalar = A::Scalar;
     #[inline(always)]
     fn guarded_with(&self, other: &B) -> Guard<A::Scalar> {
-        other.guarded(self.guarded(Guard::new()))
+        Guard::of(self).and(other)
     }
     #[inline(always)]
     fn relation(self, other: B) -> Relation<A::Scalar> {
@@ -252,7 +252,7 @@ impl<S: Scalar, B: Bounded<Scalar = S>> Apart<B> for Plane3<S> {
     type Scalar = S;
     #[inline(always)]
     fn guarded_with(&self, other: &B) -> Guard<S> {
-        other.all_guarded(Guard::of(self))
+        Guard::of(self).and(other)
     }
     #[inline(always)]
     fn relation(self, other: B) -> Relation<S> {
@@ -264,7 +264,7 @@ impl<S: Scalar, A: Bounded<Scalar = S>> Apart<Plane3<S>> for A {
     type Scalar = S;
     #[inline(always)]
     fn guarded_with(&self, other: &Plane3<S>) -> Guard<S> {
-        self.all_guarded(Guard::of(other))
+        Guard::of(other).and(self)
     }
     #[inline(always)]
     fn relation(self, other: Plane3<S>) -> Relation<S> {
@@ -278,7 +278,7 @@ macro_rules! revolved {
             type Scalar = S;
             #[inline(always)]
             fn guarded_with(&self, other: &$Shape<S>) -> Guard<S> {
-                self.guarded(Guard::of(other))
+                Guard::of(other).and(self)
             }
             #[inline(always)]
             fn relation(self, other: $Shape<S>) -> Relation<S> {
@@ -297,7 +297,7 @@ macro_rules! revolved {
             type Scalar = S;
             #[inline(always)]
             fn guarded_with(&self, other: &B) -> Guard<S> {
-                other.guarded(Guard::of(self))
+                Guard::of(self).and(other)
             }
             #[inline(always)]
             fn relation(self, other: B) -> Relation<S> {

@@ -1,12 +1,12 @@
 //! A direction in which round shapes part whose cores meet in a point.
-use super::core::Core;
+use super::core::Core3;
 use super::spot::fixed_vector;
 use crate::{Scalar, Vec3};
 
 /// Returns a direction of length one across both of two cores, a constant: orthogonal to the two directions of their
 /// edges that are the farthest from parallel, else to the longest edge. It is along the first axis if both are points.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn of_cores<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Vec3<S> {
+pub(super) fn of_cores<S: Scalar, A: Core3<S>, B: Core3<S>>(a: A, b: B) -> Vec3<S> {
     let (a, b) = (a.plain(), b.plain());
     let (of_a, of_b) = (a.ways(), b.ways());
     let ways = of_a.as_ref().iter().chain(of_b.as_ref()).copied();

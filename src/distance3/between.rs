@@ -1,6 +1,6 @@
 //! Two cores of space against each other, once for all functions of distance.
 use super::contact::{across, parted};
-use super::core::Core;
+use super::core::Core3;
 use super::deep::{Deepest, SLACK, deepest};
 use super::near::{Candidate, Nearest, edges_near};
 use super::pair;
@@ -16,7 +16,7 @@ use crate::{Mask, Scalar, Vec3};
 /// Returns a common anchor of two cores and the scale of their extent, so that no product over- or underflows. All
 /// products are of differences. Corners that were given are therefore not moved, which would round them.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn view<S: Scalar, A: Core<S>, B: Core<S>>(a: &A, b: &B) -> (Vec3<S>, S) {
+fn view<S: Scalar, A: Core3<S>, B: Core3<S>>(a: &A, b: &B) -> (Vec3<S>, S) {
     let anchor = a.anchor();
     let origin = match (A::CENTERED, B::CENTERED) {
         (true, _) => anchor,
@@ -30,7 +30,7 @@ fn view<S: Scalar, A: Core<S>, B: Core<S>>(a: &A, b: &B) -> (Vec3<S>, S) {
 /// Returns the relation of two cores: plain numbers decide which features are nearest, and the distance of these is
 /// computed once.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn relate<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Relation<S> {
+pub(super) fn relate<S: Scalar, A: Core3<S>, B: Core3<S>>(a: A, b: B) -> Relation<S> {
     if let (Some(a), Some(b)) = (a.as_box(), b.as_box()) {
         return pair::relate(a, b);
     }
@@ -57,7 +57,7 @@ pub(super) fn relate<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Relation<
 
 /// Returns the features that are nearest, or the planes that separate two cores of plain numbers best.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn choose<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> CoreFeatures<P> {
+fn choose<P: Scalar, A: Core3<P>, B: Core3<P>>(a: &A, b: &B) -> CoreFeatures<P> {
     let (
         Candidate {
             near, at_a, at_b, ..
@@ -120,7 +120,7 @@ fn choose<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> CoreFeatures<P> {
 /// normal, held fixed, has the first derivatives of all three. The terms that are added have derivatives of second
 /// order only: they are products of numbers that vanish, such as the vector's component orthogonal to the normal.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn derived<S: Scalar, A: Core<S>, B: Core<S>>(
+pub(super) fn derived<S: Scalar, A: Core3<S>, B: Core3<S>>(
     a: &A,
     b: &B,
     chosen: &CoreFeatures<S::Primal>,
@@ -206,7 +206,7 @@ pub(super) fn derived<S: Scalar, A: Core<S>, B: Core<S>>(
 
 /// Returns the nearest points of two cores that do not overlap, in the mean of all that tie.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn nearest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Candidate<P> {
+fn nearest<P: Scalar, A: Core3<P>, B: Core3<P>>(a: &A, b: &B) -> Candidate<P> {
     let mut n = 0;
     // A point is only a corner, which the other core's edges have been compared with.
     if A::DIMENSION == 0 {
@@ -316,7 +316,7 @@ pub(super) struct CoreRelation<S: Scalar> {
 
 /// Returns the largest squared distance of a corner of one core from one of another; ties share the derivative.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn farthest<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> S {
+pub(super) fn farthest<S: Scalar, A: Core3<S>, B: Core3<S>>(a: A, b: B) -> S {
     if let (Some(a), Some(b)) = (a.as_box(), b.as_box()) {
         return pair::farthest(a, b);
     }

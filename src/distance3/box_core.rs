@@ -1,5 +1,5 @@
 //! Boxes of any orientation as cores.
-use super::core::{BoxCore, Core};
+use super::core::{BoxCore, Core3};
 use super::deep::{EQUAL, box_faces};
 use super::near::{Candidate, Edge, Nearest, square_of};
 use super::parting::{Lowest, PartingPlane};
@@ -25,7 +25,7 @@ impl<S: Scalar> BoxCore<S> {
 /// The corners that begin an edge along each of the three axes: its number in `corners()` without the axis' bit.
 const STARTS: [[usize; 4]; 3] = [[0, 2, 4, 6], [0, 1, 4, 5], [0, 1, 2, 3]];
 
-impl<S: Scalar> Core<S> for BoxCore<S> {
+impl<S: Scalar> Core3<S> for BoxCore<S> {
     type Plain = BoxCore<S::Primal>;
     type Corners = [Vec3<S>; 8];
     type Edges = [Edge<S>; 12];
@@ -255,7 +255,7 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
         (normal.dot(self.given) + found.0, self.given + found.1)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn parting<B: Core<S>>(&self, face: usize, other: &B) -> PartingPlane<S> {
+    fn parting<B: Core3<S>>(&self, face: usize, other: &B) -> PartingPlane<S> {
         box_faces(self, face, other)
     }
 }

@@ -6,20 +6,26 @@ use crate::scalar::{largest, most_of};
 use crate::shape::{Aabb3, Obb3, YawBox3};
 use crate::{Rotation2, Scalar, Vec2, Vec3};
 
-/// A kind of box in space whose faces a point can be beyond.
-pub trait Faces<S: Scalar>: Copy {
-    /// Returns the height of a point over the nearer face along each of the box's own axes; negative between both
-    /// faces.
-    #[must_use]
-    fn beyond(self, point: Vec3<S>) -> Vec3<S>;
+/// Returns the height of a point over the nearer face along each axis of a box; negative between both faces.
+#[inline]
+pub(super) fn beyond_aabb3<S: Scalar>(shape: Aabb3<S>, point: Vec3<S>) -> Vec3<S> {
+    let (low, high) = (shape.min - point, point - shape.max);
+    Vec3::new(low.x.most(high.x), low.y.most(high.y), low.z.most(high.z))
 }
 
-impl<S: Scalar> Faces<S> for Aabb3<S> {
-    #[inline]
-    fn beyond(self, point: Vec3<S>) -> Vec3<S> {
-        let (low, high) = (self.min - point, point - self.max);
-        Vec3::new(low.x.most(high.x), low.y.most(high.y), low.z.most(high.z))
-    }
+/// Returns the height of a point over the nearer face along each of the box's own axes; negative between both faces.
+#[inline]
+pub(super) fn beyond_yaw<S: Scalar>(shape: YawBox3<S>, point: Vec3<S>) -> Vec3<S> {
+    let at = point - shape.center;
+    let flat = Rotation2::from_angle(shape.heading).inverse() * Vec2::new(at.x, at.y);
+    from_center(Vec3::new(flat.x, flat.y, at.z), shape.size)
+}
+
+/// Returns the height of a point over the nearer face along each of the box's own axes; negative between both faces.
+#[inline]
+pub(super) fn beyond_obb3<S: Scalar>(shape: Obb3<S>, point: Vec3<S>) -> Vec3<S> {
+    let at = shape.rotation.inverse() * (point - shape.center);
+    from_center(at, shape.size)
 }
 
 /// Returns the heights over the nearer faces of a point given in the box's own frame.
@@ -31,22 +37,6 @@ fn from_center<S: Scalar>(at: Vec3<S>, size: Vec3<S>) -> Vec3<S> {
         across(at.y, size.y),
         across(at.z, size.z),
     )
-}
-
-impl<S: Scalar> Faces<S> for YawBox3<S> {
-    #[inline]
-    fn beyond(self, point: Vec3<S>) -> Vec3<S> {
-        let at = point - self.center;
-        let flat = Rotation2::from_angle(self.heading).inverse() * Vec2::new(at.x, at.y);
-        from_center(Vec3::new(flat.x, flat.y, at.z), self.size)
-    }
-}
-
-impl<S: Scalar> Faces<S> for Obb3<S> {
-    #[inline]
-    fn beyond(self, point: Vec3<S>) -> Vec3<S> {
-        from_center(self.rotation.inverse() * (point - self.center), self.size)
-    }
 }
 
 /// Returns the signed distance by how far a point is beyond faces.

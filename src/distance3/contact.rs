@@ -1,5 +1,5 @@
 //! Directions of cores that touch within rounding.
-use super::core::Core;
+use super::core::Core3;
 use super::near::normal;
 use super::relation::direction;
 use crate::{Scalar, Vec3};
@@ -7,7 +7,7 @@ use crate::{Scalar, Vec3};
 /// Returns the width of the slab with a normal that separates b from a, whose reference points are `way` apart;
 /// negative where they overlap.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn parted<P: Scalar, A: Core<P>, B: Core<P>>(
+pub(super) fn parted<P: Scalar, A: Core3<P>, B: Core3<P>>(
     (a, on_a): (&A, Vec3<P>),
     (b, on_b): (&B, Vec3<P>),
     (way, normal): (Vec3<P>, Vec3<P>),
@@ -26,7 +26,7 @@ pub(super) fn parted<P: Scalar, A: Core<P>, B: Core<P>>(
 /// separates them where they touch. For parallel cores it is orthogonal to both, and as near to the given one as that
 /// allows.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn across<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B, given: Vec3<P>) -> Vec3<P> {
+pub(super) fn across<P: Scalar, A: Core3<P>, B: Core3<P>>(a: &A, b: &B, given: Vec3<P>) -> Vec3<P> {
     let (zero, one, none) = (P::zero(), P::one(), Vec3::zero());
     let (of_a, of_b) = (a.ways(), b.ways());
     let ways = || of_a.as_ref().iter().chain(of_b.as_ref()).copied();

@@ -10,11 +10,11 @@ use crate::{Scalar, Vec3};
 /// The core of a convex shape of space: the hull of some corners.
 ///
 /// Three families of candidates give every distance: corners of one core against the faces and edges of the other, the
-/// reverse, and edges against edges. Cores of plain numbers ([`plain`](Core::plain)) are searched for the nearest
+/// reverse, and edges against edges. Cores of plain numbers ([`plain`](Core3::plain)) are searched for the nearest
 /// features; the core with derivatives finds these by their [`Spot`].
-pub trait Core<S: Scalar>: Copy {
+pub(crate) trait Core3<S: Scalar>: Copy {
     /// The core without derivatives.
-    type Plain: Core<S::Primal>;
+    type Plain: Core3<S::Primal>;
     /// The corners, in an array.
     type Corners: AsRef<[Vec3<S>]> + Each<Vec3<S>>;
     /// The edges, in an array.
@@ -63,7 +63,7 @@ pub trait Core<S: Scalar>: Copy {
     fn faces(&self) -> Self::Faces;
     /// Returns the point of the core, or of its surface, that is nearest to a corner of another one, at a spot there.
     fn near(&self, corner: Vec3<S>, there: Spot<S>) -> Candidate<S>;
-    /// Returns the lowest edge along one of the [vectors](Core::ways), seen along a direction orthogonal to it: for
+    /// Returns the lowest edge along one of the [vectors](Core3::ways), seen along a direction orthogonal to it: for
     /// boxes by its middle, for others by its first end.
     fn lowest(&self, normal: Vec3<S>, way: usize) -> Lowest<S>;
     /// Returns the edge on the side of a point, of edges along a direction that are equally far within rounding.
@@ -77,7 +77,7 @@ pub trait Core<S: Scalar>: Copy {
     ) -> Lowest<S> {
         lowest
     }
-    /// Returns the spot at a parameter along a vector from that of [`lowest`](Core::lowest).
+    /// Returns the spot at a parameter along a vector from that of [`lowest`](Core3::lowest).
     fn along(&self, spot: Spot<S>, way: usize, t: S) -> Spot<S>;
     /// Returns the least of `normal · corner`, and the corner; corners that tie share the derivative, and the point is
     /// their mean.
@@ -99,7 +99,7 @@ pub trait Core<S: Scalar>: Copy {
         None
     }
     /// Returns the plane along a face that separates the core from another one.
-    fn parting<B: Core<S>>(&self, face: usize, other: &B) -> PartingPlane<S>;
+    fn parting<B: Core3<S>>(&self, face: usize, other: &B) -> PartingPlane<S>;
 }
 
 /// A box of any orientation.
@@ -146,7 +146,7 @@ pub(super) fn extent_of<S: Scalar, const N: usize>(
 #[derive(Clone, Copy, Debug)]
 pub struct PointCore<S>(pub Vec3<S>);
 
-impl<S: Scalar> Core<S> for PointCore<S> {
+impl<S: Scalar> Core3<S> for PointCore<S> {
     type Plain = PointCore<S::Primal>;
     type Corners = [Vec3<S>; 1];
     type Edges = [Edge<S>; 0];
@@ -240,7 +240,7 @@ impl<S: Scalar> Core<S> for PointCore<S> {
         (normal.dot(self.0), self.0)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn parting<B: Core<S>>(&self, _: usize, _: &B) -> PartingPlane<S> {
+    fn parting<B: Core3<S>>(&self, _: usize, _: &B) -> PartingPlane<S> {
         PartingPlane::none()
     }
 }

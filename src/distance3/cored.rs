@@ -1,30 +1,26 @@
 //! Shapes of space that are a core, inflated by a radius.
-use super::boxes::Faces;
-use super::core::{BoxCore, Core, PointCore};
+use super::boxes;
+use super::core::{BoxCore, Core3, PointCore};
 use super::simplex::{SegmentCore, SimplexCore, TetrahedronCore, TriangleCore};
 use crate::arrays::Each;
 use crate::distance::edge::scale_of;
-use crate::scalar::{Guard, largest};
+use crate::scalar::largest;
 use crate::shape::{
     Aabb3, Capsule3, Obb3, RoundBox3, Segment3, Sphere, Tetrahedron, Triangle3, YawBox3,
 };
-use crate::{Rotation2, Rotation3, Scalar, Vec3};
+use crate::{Pack, Rotation2, Rotation3, Scalar, Vec3};
 
-/// A convex shape of space: every point at most [`radius`](Cored::radius) from its [`core`](Cored::core).
+/// A convex shape of space: every point at most [`radius`](InflatedCore::radius) from its [`core`](InflatedCore::core).
 ///
 /// Points, segments, triangles, tetrahedra, boxes, balls, capsules and boxes with round edges are. Any two of them are
 /// [`Apart`](super::Apart).
-pub trait InflatedCore: Copy {
-    /// Its numbers.
-    type Scalar: Scalar;
+pub(crate) trait InflatedCore: Copy + Pack<Scalar: Scalar> {
     /// The type of the shape that is inflated.
-    type Core: Core<Self::Scalar>;
+    type Core: Core3<Self::Scalar>;
     /// `true` if the radius may be other than zero.
     const ROUND: bool = false;
     /// Returns the shape that is inflated.
     fn core(self) -> Self::Core;
-    /// Returns a guard with its numbers.
-    fn guarded(&self, guard: Guard<Self::Scalar>) -> Guard<Self::Scalar>;
     /// Returns the radius of the inflation; not negative.
     #[inline(always)]
     fn radius(&self) -> Self::Scalar {
@@ -92,15 +88,10 @@ fn box_core<S: Scalar>(center: Vec3<S>, size: Vec3<S>, axes: [Vec3<S>; 3]) -> Bo
 macro_rules! cored {
     ($(
         $Shape:ident: $Core:ident, |$shape:ident| $core:expr
-        $(, faces $faces:expr)? $(, radius $radius:ident)? $(, bounds $bounds:expr)?;
+        $(, faces $beyond:ident($solid:expr))? $(, radius $radius:ident)? $(, bounds $bounds:expr)?;
     )*) => { $(
         impl<S: Scalar> InflatedCore for $Shape<S> {
-            type Scalar = S;
             type Core = $Core<S>;
-            #[inline(always)]
-            fn guarded(&self, guard: Guard<S>) -> Guard<S> {
-                guard.and(self)
-            }
             #[inline(always)]
             fn core(self) -> $Core<S> {
                 let $shape = self;
@@ -110,7 +101,7 @@ macro_rules! cored {
                 #[inline(always)]
                 fn beyond(&self, point: Vec3<S>) -> Option<Vec3<S>> {
                     let $shape = self;
-                    Some(Faces::beyond($faces, point))
+                    Some(boxes::$beyond($solid, point))
                 }
             )?
             $(
@@ -150,7 +141,7 @@ cored! {
             arm,
             ..box_core(shape.min + arm, shape.size(), axes)
         }
-    }, faces *shape, bounds *shape;
+    }, faces beyond_aabb3(*shape), bounds *shape;
     YawBox3: BoxCore, |shape| {
         let (Rotation2 { cos, sin }, zero) = (Rotation2::from_angle(shape.heading), S::zero());
         let axes = [
@@ -159,10 +150,10 @@ cored! {
             Vec3::new(zero, zero, S::one()),
         ];
         box_core(shape.center, shape.size, axes)
-    }, faces *shape;
-    Obb3: BoxCore, |shape| box_core(shape.center, shape.size, axes(shape.rotation)), faces *shape;
+    }, faces beyond_yaw(*shape);
+    Obb3: BoxCore, |shape| box_core(shape.center, shape.size, axes(shape.rotation)), faces beyond_obb3(*shape);
     RoundBox3: BoxCore, |shape| {
         let inner = shape.inner;
         box_core(inner.center, inner.size, axes(inner.rotation))
-    }, faces shape.inner, radius radius;
+    }, faces beyond_obb3(shape.inner), radius radius;
 }

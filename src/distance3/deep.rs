@@ -2,7 +2,7 @@
 //!
 //! The gap along any direction of length one is at most the signed distance, and equals it for some face's normal, or
 //! some normal of two edges. A direction that is mostly rounding costs nothing.
-use super::core::{BoxCore, Core};
+use super::core::{BoxCore, Core3};
 use super::near::normal;
 use super::parting::{PartingPlane, grade};
 use super::spot::{MeanSpot, Pull, Spot};
@@ -37,7 +37,7 @@ struct CornerOverFace<P: Scalar> {
 /// If the only corners with a foot on the face are ones that rounding may have put ahead of the others, they are taken:
 /// an edge parallel to the face meets it there, and not beyond its border.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn least<P: Scalar, B: Core<P>>(
+fn least<P: Scalar, B: Core3<P>>(
     normal: Vec3<P>,
     b: &B,
     over: impl Fn(Vec3<P>) -> (P, P::Mask, Spot<P>),
@@ -94,7 +94,7 @@ fn least<P: Scalar, B: Core<P>>(
 
 /// Returns both faces of a box across an axis, against another core.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn box_faces<P: Scalar, B: Core<P>>(
+pub(super) fn box_faces<P: Scalar, B: Core3<P>>(
     a: &BoxCore<P>,
     axis: usize,
     b: &B,
@@ -131,7 +131,7 @@ pub(super) fn box_faces<P: Scalar, B: Core<P>>(
 ///
 /// A solid without volume has two sides; the inner side of any other one is a bound, whose feet are on no face.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn triangle_face<P: Scalar, B: Core<P>>(
+pub(super) fn triangle_face<P: Scalar, B: Core3<P>>(
     face: [Vec3<P>; 3],
     behind: Option<Vec3<P>>,
     b: &B,
@@ -185,7 +185,7 @@ pub(super) fn triangle_face<P: Scalar, B: Core<P>>(
 
 /// Returns both sides of the normal of an edge of each core.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn across_edges<P: Scalar, A: Core<P>, B: Core<P>>(
+fn across_edges<P: Scalar, A: Core3<P>, B: Core3<P>>(
     (a, i, u): (&A, usize, Vec3<P>),
     (b, j, v): (&B, usize, Vec3<P>),
 ) -> PartingPlane<P> {
@@ -275,7 +275,7 @@ pub(super) struct Deepest<P> {
 /// If several planes separate them equally within rounding, those of the highest grade count: their points are on both
 /// cores.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn deepest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Option<Deepest<P>> {
+pub(super) fn deepest<P: Scalar, A: Core3<P>, B: Core3<P>>(a: &A, b: &B) -> Option<Deepest<P>> {
     if A::DIMENSION + B::DIMENSION < 3 {
         return None;
     }

@@ -3,7 +3,7 @@
 use super::apart::Apart;
 use super::aside;
 use super::between::{self, joined};
-use super::core::Core;
+use super::core::Core3;
 use super::cored::InflatedCore;
 use super::near::{Nearest, across, normal, size_of};
 use super::relation::Relation;
@@ -19,7 +19,7 @@ impl<S: Scalar> Straight<S> {
     /// Returns the relation of a line or ray to a core, in coordinates relative to the core: far from the origin the
     /// ends of a part of the line would lose digits.
     #[inline(always)]
-    fn relation<B: Core<S>>(self, core: B) -> Relation<S> {
+    fn relation<B: Core3<S>>(self, core: B) -> Relation<S> {
         let anchor = core.anchor();
         let seen = Straight {
             from: self.from - anchor,
@@ -35,7 +35,7 @@ impl<S: Scalar> Straight<S> {
     }
     /// Returns a direction across the line or ray and a core that meet.
     #[inline(always)]
-    fn aside<B: Core<S>>(self, core: B) -> Vec3<S> {
+    fn aside<B: Core3<S>>(self, core: B) -> Vec3<S> {
         let unit = |way: Vec3<S::Primal>| way * scale_of::<S::Primal>(size_of(way));
         let (core, along) = (core.plain(), plain(self.along));
         let ways = core.ways();
@@ -45,7 +45,7 @@ impl<S: Scalar> Straight<S> {
     /// Returns the part of a line or ray that a core can be near to. Its ends are beyond the line's nearest points to
     /// the core by more than the core's size, so that no translation along it is shorter than one across.
     #[inline(always)]
-    fn before<B: Core<S>>(&self, core: &B) -> SegmentCore<S> {
+    fn before<B: Core3<S>>(&self, core: &B) -> SegmentCore<S> {
         let plain = |x: S::Primal| S::from_primal(x.primal());
         let way = self.along * scale_of::<S>(size_of(self.along));
         let square = way.length_squared();
@@ -158,7 +158,7 @@ fn bent<S: Scalar>(found: Relation<S>, slides: S::Mask, less: S) -> Relation<S> 
 }
 
 macro_rules! endless {
-    ($($Shape:ident: $field:ident $StraightKind:ident;)*) => { $(
+    ($($Shape:ident: $field:ident $StraightKind:ident, other $($Endless:ident)*;)*) => { $(
         impl<S: Scalar> $Shape<S> {
             /// Returns the line or ray as a feature.
             #[inline(always)]
@@ -174,7 +174,7 @@ macro_rules! endless {
             type Scalar = S;
             #[inline(always)]
             fn guarded_with(&self, other: &B) -> Guard<S> {
-                other.guarded(Guard::of(self))
+                Guard::of(self).and(other)
             }
             #[inline]
             fn relation(self, other: B) -> Relation<S> {
@@ -193,38 +193,29 @@ macro_rules! endless {
             type Scalar = S;
             #[inline(always)]
             fn guarded_with(&self, other: &$Shape<S>) -> Guard<S> {
-                self.guarded(Guard::of(other))
+                Guard::of(other).and(self)
             }
             #[inline]
             fn relation(self, other: $Shape<S>) -> Relation<S> {
                 other.relation(self).flipped()
             }
         }
+        $(
+            impl<S: Scalar> Apart<$Endless<S>> for $Shape<S> {
+                type Scalar = S;
+                #[inline(always)]
+                fn guarded_with(&self, other: &$Endless<S>) -> Guard<S> {
+                    Guard::of(self).and(other)
+                }
+                #[inline]
+                fn relation(self, other: $Endless<S>) -> Relation<S> {
+                    relate(self.feature(), other.feature())
+                }
+            }
+        )*
     )* };
 }
 endless! {
-    Line3: point Line;
-    Ray3: point Ray;
-}
-
-macro_rules! both_endless {
-    ($($A:ident $B:ident;)*) => { $(
-        impl<S: Scalar> Apart<$B<S>> for $A<S> {
-            type Scalar = S;
-            #[inline(always)]
-            fn guarded_with(&self, other: &$B<S>) -> Guard<S> {
-                Guard::of(self).and(other)
-            }
-            #[inline]
-            fn relation(self, other: $B<S>) -> Relation<S> {
-                relate(self.feature(), other.feature())
-            }
-        }
-    )* };
-}
-both_endless! {
-    Line3 Line3;
-    Line3 Ray3;
-    Ray3 Line3;
-    Ray3 Ray3;
+    Line3: point Line, other Line3 Ray3;
+    Ray3: point Ray, other Line3 Ray3;
 }

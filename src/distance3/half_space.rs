@@ -1,5 +1,5 @@
 //! Half-spaces against all that ends: the point of a shape that is farthest behind the plane.
-use super::core::Core;
+use super::core::Core3;
 use super::cored::InflatedCore;
 use super::near::Low;
 use super::relation::{Relation, direction, square_of_gap};
@@ -7,27 +7,18 @@ use super::round::Revolved;
 use crate::arrays::Each;
 use crate::distance::edge::scale_of;
 use crate::distance::share::Best;
-use crate::scalar::{Guard, largest};
+use crate::scalar::largest;
 use crate::shape::{Cone, Cylinder, Plane3};
-use crate::{Scalar, Vec3};
+use crate::{Pack, Scalar, Vec3};
 
 /// A shape that ends in every direction.
-pub trait Bounded: Copy {
-    /// Its numbers.
-    type Scalar: Scalar;
+pub(crate) trait Bounded: Copy + Pack<Scalar: Scalar> {
     /// Returns the least of `normal · point`, given a normal of length one, and a point of the shape there. Points that
     /// tie share the derivative, and the point is their mean.
     fn lowest(self, normal: Vec3<Self::Scalar>) -> (Self::Scalar, Vec3<Self::Scalar>);
-    /// Returns a guard with its numbers.
-    fn all_guarded(&self, guard: Guard<Self::Scalar>) -> Guard<Self::Scalar>;
 }
 
 impl<A: InflatedCore> Bounded for A {
-    type Scalar = A::Scalar;
-    #[inline(always)]
-    fn all_guarded(&self, guard: Guard<A::Scalar>) -> Guard<A::Scalar> {
-        self.guarded(guard)
-    }
     #[inline(always)]
     fn lowest(self, normal: Vec3<A::Scalar>) -> (A::Scalar, Vec3<A::Scalar>) {
         let (core, radius) = (self.core(), self.radius());
@@ -58,11 +49,6 @@ fn lower<S: Scalar>(a: (S, Vec3<S>), b: (S, Vec3<S>)) -> (S, Vec3<S>) {
 }
 
 impl<S: Scalar> Bounded for Cylinder<S> {
-    type Scalar = S;
-    #[inline(always)]
-    fn all_guarded(&self, guard: Guard<S>) -> Guard<S> {
-        guard.and(self)
-    }
     #[inline(always)]
     fn lowest(self, normal: Vec3<S>) -> (S, Vec3<S>) {
         let (down, way) = lowest_of_circle(self.axis(), self.radius, normal);
@@ -73,11 +59,6 @@ impl<S: Scalar> Bounded for Cylinder<S> {
 }
 
 impl<S: Scalar> Bounded for Cone<S> {
-    type Scalar = S;
-    #[inline(always)]
-    fn all_guarded(&self, guard: Guard<S>) -> Guard<S> {
-        guard.and(self)
-    }
     #[inline(always)]
     fn lowest(self, normal: Vec3<S>) -> (S, Vec3<S>) {
         let (down, way) = lowest_of_circle(self.axis(), self.radius, normal);

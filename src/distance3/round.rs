@@ -7,12 +7,10 @@ use crate::distance::edge::scale_of;
 use crate::distance::{Convex, pair as distance};
 use crate::scalar::largest;
 use crate::shape::{Cone, Cylinder};
-use crate::{Aabb2, Scalar, Triangle2, Vec2, Vec3};
+use crate::{Aabb2, Pack, Scalar, Triangle2, Vec2, Vec3};
 
 /// A solid that turns about an axis.
-pub trait Revolved: Copy {
-    /// Its numbers.
-    type Scalar: Scalar;
+pub(crate) trait Revolved: Copy + Pack<Scalar: Scalar> {
     /// Its section by a plane through the axis.
     type Section: Convex<Self::Scalar>;
     /// Returns the start of the axis.
@@ -36,7 +34,6 @@ fn unless_none<S: Scalar>(end: S, that_counts: S) -> S {
 }
 
 impl<S: Scalar> Revolved for Cylinder<S> {
-    type Scalar = S;
     type Section = Aabb2<S>;
     #[inline(always)]
     fn start(self) -> Vec3<S> {
@@ -67,7 +64,6 @@ impl<S: Scalar> Revolved for Cylinder<S> {
 }
 
 impl<S: Scalar> Revolved for Cone<S> {
-    type Scalar = S;
     type Section = Triangle2<S>;
     #[inline(always)]
     fn start(self) -> Vec3<S> {

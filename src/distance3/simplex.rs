@@ -1,5 +1,5 @@
 //! Hulls of a few corners: segments, triangles, tetrahedra.
-use super::core::{Core, extent_of};
+use super::core::{Core3, extent_of};
 use super::deep::{MORE, triangle_face};
 use super::near::{Candidate, Edge, Low, edge_near, face_near};
 use super::parting::{Lowest, PartingPlane};
@@ -48,7 +48,7 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> SimplexCore<S, C
     }
 }
 
-impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core<S>
+impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core3<S>
     for SimplexCore<S, C, E, F>
 {
     type Plain = SimplexCore<S::Primal, C, E, F>;
@@ -221,7 +221,7 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core<S>
         (normal.dot(from) + height, from + arm)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn parting<B: Core<S>>(&self, face: usize, other: &B) -> PartingPlane<S> {
+    fn parting<B: Core3<S>>(&self, face: usize, other: &B) -> PartingPlane<S> {
         let behind = (C == 4).then(|| self.0[FACES[face][3]]);
         let spot = |shares: [S; 3]| on_face(face, shares);
         triangle_face(self.face(face), behind, other, spot)

@@ -8,7 +8,7 @@ use crate::{Scalar, Vec3};
 pub struct Spot<P> {
     /// For a hull of corners their shares; for a box one, then the coordinates relative to the centre along its axes.
     pub parts: [P; 4],
-    /// 0 at a corner, else the number of the edge or face along which it is free, as [`Core::free`](super::core::Core::free) reads it.
+    /// 0 at a corner, else the number of the edge or face along which it is free, as [`Core3::free`](super::core::Core3::free) reads it.
     pub feature: P,
 }
 

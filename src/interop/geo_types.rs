@@ -4,7 +4,7 @@ use crate::Vec2;
 use geo_types::{Coord, CoordNum, Point};
 
 by_fields! {
-    Vec2 = Coord<S> { x, y } where CoordNum;
+    [S: CoordNum] Vec2<S> = Coord<S> { x, y };
 }
 
 impl<S: CoordNum> From<Point<S>> for Vec2<S> {

@@ -3,10 +3,10 @@ use super::by_fields;
 use crate::{Vec2, Vec3};
 
 by_fields! {
-    Vec2 = mint::Vector2<S> { x, y };
-    Vec2 = mint::Point2<S> { x, y };
-    Vec3 = mint::Vector3<S> { x, y, z };
-    Vec3 = mint::Point3<S> { x, y, z };
+    [S] Vec2<S> = mint::Vector2<S> { x, y };
+    [S] Vec2<S> = mint::Point2<S> { x, y };
+    [S] Vec3<S> = mint::Vector3<S> { x, y, z };
+    [S] Vec3<S> = mint::Point3<S> { x, y, z };
 }
 
 impl<S> mint::IntoMint for Vec2<S> {

@@ -8,23 +8,23 @@ mod mint;
 #[cfg(feature = "nalgebra")]
 mod nalgebra;
 
-/// Pairs of types with named coordinates; the macro lists them, with a bound where theirs have one.
-#[cfg(any(feature = "geo-types", feature = "mint"))]
+/// Pairs of types with named coordinates; the macro lists them, each after its type parameter.
+#[cfg(any(feature = "geo-types", feature = "glam", feature = "mint"))]
 macro_rules! by_fields {
-    ($($ours:ident = $theirs:ty { $($field:ident),* } $(where $bound:path)?;)*) => { $(
-        impl<S $(: $bound)?> From<$theirs> for crate::$ours<S> {
+    ($([$($generic:tt)*] $ours:ident<$scalar:ident> = $theirs:ty { $($field:ident),* };)*) => { $(
+        impl<$($generic)*> From<$theirs> for crate::$ours<$scalar> {
             #[inline]
             fn from(v: $theirs) -> Self {
                 crate::$ours { $($field: v.$field),* }
             }
         }
-        impl<S $(: $bound)?> From<crate::$ours<S>> for $theirs {
+        impl<$($generic)*> From<crate::$ours<$scalar>> for $theirs {
             #[inline]
-            fn from(v: crate::$ours<S>) -> Self {
+            fn from(v: crate::$ours<$scalar>) -> Self {
                 Self { $($field: v.$field),* }
             }
         }
     )* };
 }
-#[cfg(any(feature = "geo-types", feature = "mint"))]
+#[cfg(any(feature = "geo-types", feature = "glam", feature = "mint"))]
 use by_fields;

@@ -112,7 +112,7 @@ fn find<S: Scalar, A: Pierced<Scalar = S>>(line: Line3<S>, shape: A) -> LineSpan
 pub fn span<S: Scalar, A: Pierced<Scalar = S>>(line: Line3<S>, shape: A) -> Chord<S> {
     let inside = find(line, shape);
     let pick = |t: S| S::select(inside.found, t, S::zero()).canonical();
-    shape.guarded(Guard::of(&line)).result(Chord {
+    Guard::of(&line).and(&shape).result(Chord {
         enter: pick(inside.enter.t),
         exit: pick(inside.exit.t),
         found: pick(S::one()),
@@ -149,7 +149,7 @@ pub fn first_hit<S: Scalar, A: Pierced<Scalar = S>>(ray: Ray3<S>, shape: A) -> H
     let pick = |enter: S, exit: S, miss: S| S::select(enters, enter, S::select(leaves, exit, miss));
     let along = pick(inside.enter.t, inside.exit.t, zero);
     let normal = Vec3::select(leaves, inside.exit.normal, Vec3::zero());
-    shape.guarded(Guard::of(&ray)).result(Hit3 {
+    Guard::of(&ray).and(&shape).result(Hit3 {
         parameter: pick(inside.enter.t, inside.exit.t, large).canonical(),
         point: ray.point_at(along).canonical(),
         normal: Vec3::select(enters, inside.enter.normal, normal).canonical(),
@@ -176,7 +176,5 @@ pub fn length_inside<S: Scalar, A: Pierced<Scalar = S>>(segment: Segment3<S>, sh
     let part = inside.exit.t.least(S::one()) - inside.enter.t.most(S::zero());
     let some = inside.found & part.above(S::zero());
     let length = S::select(some, part, S::zero()) * segment.length();
-    shape
-        .guarded(Guard::of(&segment))
-        .result(length.canonical())
+    Guard::of(&segment).and(&shape).result(length.canonical())
 }

@@ -4,26 +4,20 @@ use super::inside::{Beam, Border, Inside, Tube, sized};
 use super::tetrahedron::in_tetrahedron;
 use crate::arrays::Each;
 use crate::distance::share::Best;
-use crate::distance3::core::{BoxCore, Core};
+use crate::distance3::core::{BoxCore, Core3};
 use crate::distance3::cored::InflatedCore;
 use crate::distance3::near::size_of;
-use crate::scalar::Guard;
 use crate::shape::{
     Aabb3, Capsule3, Cone, Cylinder, Obb3, Plane3, RoundBox3, Sphere, Tetrahedron, YawBox3,
 };
-use crate::{Scalar, Vec3};
+use crate::{Pack, Scalar, Vec3};
 
 /// A convex solid of space that a line enters and leaves.
 #[diagnostic::on_unimplemented(
     message = "no line is known to pierce `{Self}`",
     note = "half-spaces, balls, boxes (round ones, too), capsules, cylinders, cones and tetrahedra are pierced"
 )]
-pub trait Pierced: Copy {
-    /// Its numbers.
-    type Scalar: Scalar;
-    /// Returns a guard with its numbers, too.
-    #[doc(hidden)]
-    fn guarded(self, guard: Guard<Self::Scalar>) -> Guard<Self::Scalar>;
+pub trait Pierced: Copy + Pack<Scalar: Scalar> {
     /// Returns a point of it, which is the origin of its local frame.
     fn anchor(self) -> Vec3<Self::Scalar>;
     /// Returns its extent from the anchor, as a constant.
@@ -33,11 +27,6 @@ pub trait Pierced: Copy {
 }
 
 impl<S: Scalar> Pierced for Plane3<S> {
-    type Scalar = S;
-    #[inline(always)]
-    fn guarded(self, guard: Guard<S>) -> Guard<S> {
-        guard.and(&self)
-    }
     #[inline(always)]
     fn anchor(self) -> Vec3<S> {
         let square = size_of(self.normal).binade();
@@ -58,11 +47,6 @@ impl<S: Scalar> Pierced for Plane3<S> {
 }
 
 impl<S: Scalar> Pierced for Sphere<S> {
-    type Scalar = S;
-    #[inline(always)]
-    fn guarded(self, guard: Guard<S>) -> Guard<S> {
-        guard.and(&self)
-    }
     #[inline(always)]
     fn anchor(self) -> Vec3<S> {
         self.center
@@ -179,11 +163,6 @@ fn vector<S: Scalar>([x, y, z]: [S; 3]) -> Vec3<S> {
 }
 
 impl<S: Scalar> Pierced for RoundBox3<S> {
-    type Scalar = S;
-    #[inline(always)]
-    fn guarded(self, guard: Guard<S>) -> Guard<S> {
-        guard.and(&self)
-    }
     #[inline(always)]
     fn anchor(self) -> Vec3<S> {
         self.core().anchor()
@@ -202,11 +181,6 @@ impl<S: Scalar> Pierced for RoundBox3<S> {
 macro_rules! boxes {
     ($($Shape:ident)*) => { $(
         impl<S: Scalar> Pierced for $Shape<S> {
-            type Scalar = S;
-            #[inline(always)]
-            fn guarded(self, guard: Guard<S>) -> Guard<S> {
-                guard.and(&self)
-            }
             #[inline(always)]
             fn anchor(self) -> Vec3<S> {
                 self.core().anchor()
@@ -227,11 +201,6 @@ boxes! { YawBox3 Obb3 }
 
 /// Seen from a corner that is given: far from the origin the centre and the size would lose the digits of the bounds.
 impl<S: Scalar> Pierced for Aabb3<S> {
-    type Scalar = S;
-    #[inline(always)]
-    fn guarded(self, guard: Guard<S>) -> Guard<S> {
-        guard.and(&self)
-    }
     #[inline(always)]
     fn anchor(self) -> Vec3<S> {
         self.min
@@ -253,11 +222,6 @@ impl<S: Scalar> Pierced for Aabb3<S> {
 }
 
 impl<S: Scalar> Pierced for Capsule3<S> {
-    type Scalar = S;
-    #[inline(always)]
-    fn guarded(self, guard: Guard<S>) -> Guard<S> {
-        guard.and(&self)
-    }
     #[inline(always)]
     fn anchor(self) -> Vec3<S> {
         self.start
@@ -274,11 +238,6 @@ impl<S: Scalar> Pierced for Capsule3<S> {
 }
 
 impl<S: Scalar> Pierced for Cylinder<S> {
-    type Scalar = S;
-    #[inline(always)]
-    fn guarded(self, guard: Guard<S>) -> Guard<S> {
-        guard.and(&self)
-    }
     #[inline(always)]
     fn anchor(self) -> Vec3<S> {
         self.start
@@ -299,11 +258,6 @@ impl<S: Scalar> Pierced for Cylinder<S> {
 }
 
 impl<S: Scalar> Pierced for Cone<S> {
-    type Scalar = S;
-    #[inline(always)]
-    fn guarded(self, guard: Guard<S>) -> Guard<S> {
-        guard.and(&self)
-    }
     #[inline(always)]
     fn anchor(self) -> Vec3<S> {
         self.apex
@@ -320,11 +274,6 @@ impl<S: Scalar> Pierced for Cone<S> {
 }
 
 impl<S: Scalar> Pierced for Tetrahedron<S> {
-    type Scalar = S;
-    #[inline(always)]
-    fn guarded(self, guard: Guard<S>) -> Guard<S> {
-        guard.and(&self)
-    }
     #[inline(always)]
     fn anchor(self) -> Vec3<S> {
         self.a

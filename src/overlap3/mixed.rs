@@ -9,6 +9,7 @@ use crate::{Fixed, Scalar};
 
 /// Boxes that overlap another kind of box: every pair of [`Aabb3`], [`YawBox3`] and [`Obb3`]. The pair is
 /// measured as boxes of the more general kind.
+#[doc(hidden)]
 pub trait Overlaps<B> {
     /// The number type of the boxes.
     type Scalar: Scalar;
@@ -23,39 +24,26 @@ pub trait Overlaps<B> {
     fn iof_with(self, other: B) -> Self::Scalar;
 }
 
+/// Each kind of box, with the kinds of the other box and the kind as which both are measured.
 macro_rules! overlaps {
-    ($($a:ident $b:ident as $more:ident: $volume:ident $iou:ident $iof:ident;)*) => { $(
-        impl<S: Scalar> Overlaps<$b<S>> for $a<S> {
-            type Scalar = S;
-            #[inline]
-            fn volume_shared_with(self, other: $b<S>) -> S {
-                $volume($more::from(self), $more::from(other))
+    ($($a:ident: { $($b:ident as $more:ident: $volume:ident $iou:ident $iof:ident;)* })*) => { $(
+        $(
+            impl<S: Scalar> Overlaps<$b<S>> for $a<S> {
+                type Scalar = S;
+                #[inline]
+                fn volume_shared_with(self, other: $b<S>) -> S {
+                    $volume($more::from(self), $more::from(other))
+                }
+                #[inline]
+                fn iou_with(self, other: $b<S>) -> S {
+                    $iou($more::from(self), $more::from(other))
+                }
+                #[inline]
+                fn iof_with(self, other: $b<S>) -> S {
+                    $iof($more::from(self), $more::from(other))
+                }
             }
-            #[inline]
-            fn iou_with(self, other: $b<S>) -> S {
-                $iou($more::from(self), $more::from(other))
-            }
-            #[inline]
-            fn iof_with(self, other: $b<S>) -> S {
-                $iof($more::from(self), $more::from(other))
-            }
-        }
-    )* };
-}
-overlaps! {
-    Aabb3 Aabb3 as Aabb3: intersection_volume_aabb3 iou_aabb3 iof_aabb3;
-    Aabb3 YawBox3 as YawBox3: intersection_volume_yaw iou_yaw iof_yaw;
-    Aabb3 Obb3 as Obb3: intersection_volume_obb3 iou_obb3 iof_obb3;
-    YawBox3 Aabb3 as YawBox3: intersection_volume_yaw iou_yaw iof_yaw;
-    YawBox3 YawBox3 as YawBox3: intersection_volume_yaw iou_yaw iof_yaw;
-    YawBox3 Obb3 as Obb3: intersection_volume_obb3 iou_obb3 iof_obb3;
-    Obb3 Aabb3 as Obb3: intersection_volume_obb3 iou_obb3 iof_obb3;
-    Obb3 YawBox3 as Obb3: intersection_volume_obb3 iou_obb3 iof_obb3;
-    Obb3 Obb3 as Obb3: intersection_volume_obb3 iou_obb3 iof_obb3;
-}
-
-macro_rules! methods {
-    ($($a:ident)*) => { $(
+        )*
         impl<S: Scalar> $a<S> {
             /// Returns the intersection over union with a box of any kind, in `[0, 1]`.
             #[must_use]
@@ -90,4 +78,20 @@ macro_rules! methods {
         }
     )* };
 }
-methods! { Aabb3 YawBox3 Obb3 }
+overlaps! {
+    Aabb3: {
+        Aabb3 as Aabb3: intersection_volume_aabb3 iou_aabb3 iof_aabb3;
+        YawBox3 as YawBox3: intersection_volume_yaw iou_yaw iof_yaw;
+        Obb3 as Obb3: intersection_volume_obb3 iou_obb3 iof_obb3;
+    }
+    YawBox3: {
+        Aabb3 as YawBox3: intersection_volume_yaw iou_yaw iof_yaw;
+        YawBox3 as YawBox3: intersection_volume_yaw iou_yaw iof_yaw;
+        Obb3 as Obb3: intersection_volume_obb3 iou_obb3 iof_obb3;
+    }
+    Obb3: {
+        Aabb3 as Obb3: intersection_volume_obb3 iou_obb3 iof_obb3;
+        YawBox3 as Obb3: intersection_volume_obb3 iou_obb3 iof_obb3;
+        Obb3 as Obb3: intersection_volume_obb3 iou_obb3 iof_obb3;
+    }
+}

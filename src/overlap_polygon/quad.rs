@@ -27,7 +27,8 @@ fn positive<S: Scalar>(start: S, end: S) -> S {
     let part = start.most(zero) + end.most(zero);
     let (all, empty) = (start.magnitude() + end.magnitude(), S::lit(S::EMPTY));
     // Of nothing the derivative is zero: divided by so little, that of a small shape would overflow.
-    let share = S::select(all.at_most(empty), zero, part);
+    let (none, some) = (S::Primal::zero(), S::Primal::one());
+    let share = part.damp(S::Primal::select(all.at_most(empty), none, some));
     part * share.over(all.most(empty))
 }
 

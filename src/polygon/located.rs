@@ -51,15 +51,37 @@ impl<S: Scalar<Mask = bool>> Rings<'_, S> {
     /// ```
     #[must_use]
     pub fn depth(&self, point: Vec2<S>, fill: Fill) -> S {
-        let mut state = EdgeFold::empty();
-        for ring in self.iter().filter(|ring| !ring.is_empty()) {
-            state = state.join(fold_ring(point, ring));
-        }
-        let distance = state.distance();
+        let distance = self.fold(point).distance();
         let signed = match self.contains(point, fill) {
             true => distance,
             false => -distance,
         };
         signed.canonical()
+    }
+    /// Returns the distance of a point from the border, in units of length: negative inside by a fill rule, positive
+    /// outside. Without vertices it is the largest finite number.
+    ///
+    /// Exactly on one edge the derivative is that of the outward normal, where several edges meet zero. Edges that are
+    /// equally near share it. The adjoint is
+    /// [`signed_distance_vjp`](crate::ad::adjoint::polygon::signed_distance_vjp).
+    ///
+    /// ```
+    /// use geograd::{Aabb2, Rings, Vec2, polygon::Fill};
+    /// let (outer, hole) = (Aabb2::new(0.0, 0.0, 4.0, 4.0).corners(), Aabb2::new(1.0, 1.0, 3.0, 3.0).corners());
+    /// let rings = [outer.as_slice(), &hole];
+    /// let rings = Rings::from(&rings[..]);
+    /// assert_eq!(rings.signed_distance(Vec2::new(0.25, 2.0), Fill::EvenOdd), -0.25);
+    /// assert_eq!(rings.signed_distance(Vec2::new(1.5, 2.0), Fill::EvenOdd), 0.5);
+    /// ```
+    #[must_use]
+    pub fn signed_distance(&self, point: Vec2<S>, fill: Fill) -> S {
+        self.fold(point).signed_distance(fill)
+    }
+    /// Returns the fold over the edges of all rings.
+    pub(crate) fn fold(&self, point: Vec2<S>) -> EdgeFold<S> {
+        let rings = self.iter().filter(|ring| !ring.is_empty());
+        rings.fold(EdgeFold::empty(), |state, ring| {
+            state.join(fold_ring(point, ring))
+        })
     }
 }

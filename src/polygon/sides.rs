@@ -1,8 +1,9 @@
 //! The rings that are holes: decided once, by their position.
 use super::Rings;
 use crate::contain::{Location, locate};
+use crate::reference::bounds_of;
 use crate::shape::edges;
-use crate::{Scalar, Vec2, ring};
+use crate::{Aabb2, Scalar, Vec2, ring};
 
 /// The rings that have their inside on their right, and so count in the opposite orientation as borders of the polygon.
 /// A decision without numbers, for rings that do not cross. A ring that lies in an even number of others bounds a part,
@@ -34,10 +35,26 @@ impl Sides {
     #[must_use]
     pub fn decided<'a, S: Scalar<Mask = bool>>(rings: impl Into<Rings<'a, S>>) -> Self {
         let rings = rings.into();
+        // One ring has none around it.
+        let bounds: Vec<_> = match rings.count() {
+            0 | 1 => Vec::new(),
+            _ => rings.iter().map(bounds_of).collect(),
+        };
+        // Outside of a ring's bounds a vertex is outside of the ring.
+        let is_beyond = |vertex: Vec2<S>, around: &Option<Aabb2<S>>| {
+            around.is_some_and(|own| {
+                vertex.x.below(own.min.x)
+                    || vertex.x.above(own.max.x)
+                    || vertex.y.below(own.min.y)
+                    || vertex.y.above(own.max.y)
+            })
+        };
         let turned = |k: usize| {
             let here = rings.ring(k);
             let clockwise = ring::signed_area(here).below(S::zero());
             let around = (0..rings.count()).filter(|&j| j != k);
+            let around =
+                around.filter(|&j| !here.first().is_some_and(|&v| is_beyond(v, &bounds[j])));
             let depth = around
                 .filter(|&j| lies_in(here, rings.ring(j), j < k))
                 .count();

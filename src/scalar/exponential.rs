@@ -59,6 +59,15 @@ fn rounded<W: Scalar>(x: W) -> W {
 /// `eᵏ ˡⁿ² ⁺ ʳ = 2ᵏ eʳ` with `|r| ≤ ln 2 / 2`, and Taylor's series of `eʳ`: its first term left out is below 2⁻⁵⁷.
 #[inline(always)]
 pub(crate) fn exp_wide<W: Exponents>(x: W) -> W {
+    let [power, first, second] = exp_parts(x);
+    // Two factors: results may be subnormal, and 2¹⁰²⁴ is no number.
+    let all = power * W::power_of_two(first) * W::power_of_two(second);
+    W::select(x.equals(x), all, x)
+}
+
+/// Returns `(p, j, k)` with `eˣ = p 2ʲ 2ᵏ`.
+#[inline(always)]
+pub(crate) fn exp_parts<W: Scalar>(x: W) -> [W; 3] {
     // 1/n! from n = 2.
     let series = [
         0.5,
@@ -77,15 +86,20 @@ pub(crate) fn exp_wide<W: Exponents>(x: W) -> W {
     // Beyond these limits results are 0 and infinity.
     let near = x.most(W::lit(-746.0)).least(W::lit(710.0));
     let (k, power) = reduced(near, series);
-    // Two factors: results may be subnormal, and 2¹⁰²⁴ is no number.
     let half = rounded(k.halved());
-    let all = power * W::power_of_two(half) * W::power_of_two(k - half);
-    W::select(x.equals(x), all, x)
+    [power, half, k - half]
 }
 
 /// Returns the exponential in `f64` of a number that is an `f32`: right to 2⁻³⁶.
 #[inline(always)]
 pub(crate) fn exp_single<W: Exponents>(x: W) -> W {
+    let [power, k] = exp_parts_short(x);
+    W::select(x.equals(x), power * W::power_of_two(k), x)
+}
+
+/// Returns `(p, k)` with `eˣ = p 2ᵏ`, in `f64` for a number that is an `f32`.
+#[inline(always)]
+pub(crate) fn exp_parts_short<W: Scalar>(x: W) -> [W; 2] {
     // 1/n! from n = 2.
     let series = [
         0.5,
@@ -100,7 +114,7 @@ pub(crate) fn exp_single<W: Exponents>(x: W) -> W {
     // Beyond these limits results are 0 and infinity as `f32`.
     let near = x.most(W::lit(-150.0)).least(W::lit(90.0));
     let (k, power) = reduced(near, series);
-    W::select(x.equals(x), power * W::power_of_two(k), x)
+    [power, k]
 }
 
 /// Returns `k` and `eʳ` with `x = k ln 2 + r`.
@@ -119,36 +133,60 @@ fn reduced<W: Scalar, const N: usize>(x: W, series: [f64; N]) -> (W, W) {
 /// The reduction and the minimax polynomial of fdlibm (`e_log.c`).
 #[inline(always)]
 pub(crate) fn ln_wide<W: Exponents>(x: W) -> W {
-    ln_by(
-        x,
-        [
-            0.666_666_666_666_673_5,
-            0.399_999_999_994_094_2,
-            0.285_714_287_436_623_9,
-            0.222_221_984_321_497_84,
-            0.181_835_721_616_180_5,
-            0.153_138_376_992_093_73,
-            0.147_981_986_051_165_86,
-        ],
-    )
+    ln_by(x, LN_SERIES)
 }
+
+/// The minimax polynomial of [`ln_wide`].
+pub(crate) const LN_SERIES: [f64; 7] = [
+    0.666_666_666_666_673_5,
+    0.399_999_999_994_094_2,
+    0.285_714_287_436_623_9,
+    0.222_221_984_321_497_84,
+    0.181_835_721_616_180_5,
+    0.153_138_376_992_093_73,
+    0.147_981_986_051_165_86,
+];
 
 /// Returns the natural logarithm in `f64` of a number that is an `f32`: right to 2⁻³⁴.
 ///
 /// With the series of the inverse hyperbolic tangent in place of the minimax polynomial.
 #[inline(always)]
 pub(crate) fn ln_single<W: Exponents>(x: W) -> W {
-    ln_by(x, [2.0 / 3.0, 2.0 / 5.0, 2.0 / 7.0, 2.0 / 9.0, 2.0 / 11.0])
+    ln_by(x, LN_SERIES_SHORT)
 }
+
+/// The series of [`ln_single`].
+pub(crate) const LN_SERIES_SHORT: [f64; 5] =
+    [2.0 / 3.0, 2.0 / 5.0, 2.0 / 7.0, 2.0 / 9.0, 2.0 / 11.0];
 
 #[inline(always)]
 fn ln_by<W: Exponents, const N: usize>(x: W, series: [f64; N]) -> W {
+    let (exponent, fraction) = normal(x).exponent();
+    ln_from(x, exponent, fraction, series)
+}
+
+/// Returns `true` for numbers below the smallest normal one.
+#[inline(always)]
+fn is_subnormal<W: Scalar>(x: W) -> W::Mask {
+    x.below(W::lit(f64::MIN_POSITIVE))
+}
+
+/// Returns the number, or 2⁵⁴ times it, which is normal, for a subnormal one.
+#[inline(always)]
+pub(crate) fn normal<W: Scalar>(x: W) -> W {
+    W::select(is_subnormal(x), x * W::lit(18_014_398_509_481_984.0), x)
+}
+
+/// Returns the natural logarithm of `x`, with the exponent and the significand of [`normal`] of it.
+#[inline(always)]
+pub(crate) fn ln_from<W: Scalar, const N: usize>(
+    x: W,
+    exponent: W,
+    fraction: W,
+    series: [f64; N],
+) -> W {
     let (zero, largest) = (W::zero(), W::lit(f64::MAX));
-    // A subnormal number becomes normal by 2⁵⁴.
-    let subnormal = x.below(W::lit(f64::MIN_POSITIVE));
-    let scaled = W::select(subnormal, x * W::lit(18_014_398_509_481_984.0), x);
-    let (exponent, fraction) = scaled.exponent();
-    let exponent = exponent - W::select(subnormal, W::lit(54.0), zero);
+    let exponent = exponent - W::select(is_subnormal(x), W::lit(54.0), zero);
     // The significand from 1/√2 to √2.
     let high = fraction.above(W::lit(std::f64::consts::SQRT_2));
     let fraction = W::select(high, fraction.halved(), fraction);

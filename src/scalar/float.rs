@@ -6,9 +6,10 @@ use crate::Scalar;
 use crate::scalar::arc_tangent::{atan2_single, atan2_wide};
 use crate::scalar::exponential::{exp_single, exp_wide, ln_single, ln_wide};
 use crate::scalar::polynomial::{SHIFT, polynomial};
+use crate::scalar::real::{Format, Real};
 
 /// Above this angle the three-part reduction loses digits, and that of fdlibm by all digits of π takes over (`libm`).
-const REDUCED: f64 = 800_000.0;
+pub(crate) const REDUCED: f64 = 800_000.0;
 
 /// Returns the nearest multiple of a quarter turn, in quarters.
 #[inline(always)]
@@ -38,7 +39,7 @@ fn turned<W: Scalar>(quadrant: W, sin: W, cos: W) -> (W, W) {
 /// then the minimax polynomials of Sun's fdlibm (`k_sin.c`, `k_cos.c`); within one unit in the
 /// last place.
 #[inline(always)]
-fn sin_cos_reduced<W: Scalar<Primal = W>>(angle: W) -> (W, W) {
+pub(crate) fn sin_cos_reduced<W: Scalar<Primal = W>>(angle: W) -> (W, W) {
     let quadrant = quadrant_of(angle);
     // π/2 in parts of 33 bits (fdlibm, e_rem_pio2.c).
     let r = ((angle - quadrant * W::lit(1.570_796_326_734_125_6))
@@ -80,7 +81,7 @@ fn sin_cos_reduced<W: Scalar<Primal = W>>(angle: W) -> (W, W) {
 /// As [`sin_cos_reduced`], with shorter polynomials (minimax, by Remez' exchange) and π/2 in two
 /// parts, of which the first has 33 bits.
 #[inline(always)]
-fn sin_cos_short<W: Scalar<Primal = W>>(angle: W) -> (W, W) {
+pub(crate) fn sin_cos_short<W: Scalar<Primal = W>>(angle: W) -> (W, W) {
     let quadrant = quadrant_of(angle);
     let r = (angle - quadrant * W::lit(1.570_796_326_734_125_6))
         - quadrant * W::lit(6.077_100_506_506_192e-11);
@@ -153,36 +154,24 @@ pub(crate) fn split_single(wide: f64) -> (f32, f32) {
 /// Leaves twelve bits of a significand of an `f64`.
 pub(crate) const HIGH_OF_SINGLE: u64 = !((1 << 41) - 1);
 
-/// The differences between the two formats, for the numbers here and the lanes built on them.
-pub trait Float: Copy + std::fmt::Debug + Send + Sync + 'static {
-    /// The bit pattern as an integer, also the type of a lane's mask.
-    type Bits: Copy + std::fmt::Debug + Send + Sync + 'static;
-    /// All zeros.
-    const NONE: Self::Bits;
-    /// Returns the exact value as `f64`.
-    fn widen(self) -> f64;
-    /// Returns the high half of the significand.
-    fn high(self) -> Self;
-    /// Returns all ones if `yes`.
-    fn mask(yes: bool) -> Self::Bits;
-    /// Selects bit by bit.
-    fn choose(mask: Self::Bits, yes: Self, no: Self) -> Self;
-    /// Returns the bitwise and.
-    fn and(a: Self::Bits, b: Self::Bits) -> Self::Bits;
-    /// Returns the bitwise or.
-    fn or(a: Self::Bits, b: Self::Bits) -> Self::Bits;
-    /// Returns the bitwise complement.
-    fn not(a: Self::Bits) -> Self::Bits;
-}
-
 /// Both formats: the arguments of the macro are their differences.
 macro_rules! float {
-    ($f:ident, $bits:ident, compensated: $compensated:literal, parallel: $parallel:literal,
+    ($f:ident, $bits:ident, $format:ident, compensated: $compensated:literal, parallel: $parallel:literal,
      low_half: $low:literal, mantissa: $mantissa:literal,
      sines: $sin_cos:ident, angle: $atan2:ident, split: $split:expr, exponentials: $exp:ident $ln:ident) => {
-        impl Float for $f {
+        impl Real for $f {
+            const FORMAT: Format = Format::$format;
+            type NumDual = num_dual::Dual<$f>;
             type Bits = $bits;
             const NONE: $bits = 0;
+            #[inline]
+            fn num_dual(value: Self, derivative: Self) -> Self::NumDual {
+                num_dual::Dual::new(value, derivative)
+            }
+            #[inline]
+            fn of_num_dual(dual: Self::NumDual) -> (Self, Self) {
+                (dual.re, dual.eps)
+            }
             #[inline(always)]
             fn widen(self) -> f64 {
                 self as f64
@@ -344,7 +333,7 @@ fn atan2_of_single(y: f64, x: f64) -> f64 {
     atan2_single(y, x)
 }
 
-float!(f32, u32, compensated: true, parallel: 2e-10, low_half: 12, mantissa: 23,
+float!(f32, u32, F32, compensated: true, parallel: 2e-10, low_half: 12, mantissa: 23,
     sines: sin_cos_single, angle: atan2_of_single, split: split_single, exponentials: exp_single ln_single);
-float!(f64, u64, compensated: false, parallel: 4e-16, low_half: 27, mantissa: 52,
+float!(f64, u64, F64, compensated: false, parallel: 4e-16, low_half: 27, mantissa: 52,
     sines: sin_cos_wide, angle: atan2_of_wide, split: f64::parts, exponentials: exp_wide ln_wide);

@@ -3,8 +3,8 @@
 //! Plain arrays and plain loops, no intrinsics: the compiler turns each operation into vector instructions of the width
 //! for which the surrounding function was compiled. One source serves SSE2, AVX2, AVX-512, NEON and WASM, with equal
 //! bits on all of them.
-use crate::scalar::float::{Float, sin_cos_single, sin_cos_wide, split_single};
-use crate::{Mask, Scalar};
+use crate::scalar::float::{sin_cos_single, sin_cos_wide, split_single};
+use crate::{Mask, Real, Scalar};
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, Sub, SubAssign};
 
@@ -23,7 +23,7 @@ pub struct Lanes<T, const N: usize>(pub [T; N]);
 /// under AVX2).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
-pub struct LaneMask<T: Float, const N: usize>(pub [T::Bits; N]);
+pub struct LaneMask<T: Real, const N: usize>(pub [T::Bits; N]);
 
 /// An array from an expression of the lane's index.
 ///
@@ -41,7 +41,7 @@ macro_rules! lanes_of {
     }};
 }
 
-impl<T: Float + Copy, const N: usize> Lanes<T, N> {
+impl<T: Real, const N: usize> Lanes<T, N> {
     /// Returns lanes with a number in each.
     #[inline(always)]
     pub fn splat(x: T) -> Self {
@@ -59,21 +59,21 @@ impl<T: Float + Copy, const N: usize> Lanes<T, N> {
     }
 }
 
-impl<T: Float, const N: usize> BitAnd for LaneMask<T, N> {
+impl<T: Real, const N: usize> BitAnd for LaneMask<T, N> {
     type Output = Self;
     #[inline(always)]
     fn bitand(self, other: Self) -> Self {
         LaneMask(lanes_of!(T::NONE; |i| T::and(self.0[i], other.0[i])))
     }
 }
-impl<T: Float, const N: usize> BitOr for LaneMask<T, N> {
+impl<T: Real, const N: usize> BitOr for LaneMask<T, N> {
     type Output = Self;
     #[inline(always)]
     fn bitor(self, other: Self) -> Self {
         LaneMask(lanes_of!(T::NONE; |i| T::or(self.0[i], other.0[i])))
     }
 }
-impl<T: Float, const N: usize> Not for LaneMask<T, N> {
+impl<T: Real, const N: usize> Not for LaneMask<T, N> {
     type Output = Self;
     #[inline(always)]
     fn not(self) -> Self {

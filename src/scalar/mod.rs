@@ -28,6 +28,7 @@ pub(crate) mod arc_tangent;
 pub mod dual;
 #[cfg(feature = "nalgebra")]
 mod dual_vector;
+pub(crate) mod elementary;
 pub(crate) mod exponential;
 pub(crate) mod float;
 pub(crate) mod guard;

@@ -1,5 +1,4 @@
 //! The two formats of numbers: `f32` and `f64`.
-use crate::scalar::float::Float;
 use crate::{Pack, Scalar};
 use std::any::Any;
 
@@ -37,12 +36,18 @@ impl OneNumber for f64 {}
 
 /// `f32` or `f64`: the formats that programs and batches compute in.
 pub trait Real:
-    OneNumber + Float + Scalar<Mask = bool, Primal = Self> + Pack<Scalar = Self> + Default + PartialOrd
+    OneNumber + Scalar<Mask = bool, Primal = Self> + Pack<Scalar = Self> + Default + PartialOrd
 {
     /// Its format.
     const FORMAT: Format;
     /// num-dual's own dual number over it.
     type NumDual: Scalar<Mask = bool>;
+    /// The bit pattern as an integer, also the type of a lane's mask.
+    #[doc(hidden)]
+    type Bits: Copy + std::fmt::Debug + Send + Sync + 'static;
+    /// All zeros.
+    #[doc(hidden)]
+    const NONE: Self::Bits;
     /// Returns a dual number of num-dual's.
     fn num_dual(value: Self, derivative: Self) -> Self::NumDual;
     /// Returns its value and its derivative.
@@ -52,25 +57,28 @@ pub trait Real:
     fn nearest(x: f64) -> Self {
         Self::lit(x)
     }
+    /// Returns the exact value as `f64`.
+    #[doc(hidden)]
+    fn widen(self) -> f64;
+    /// Returns the high half of the significand.
+    #[doc(hidden)]
+    fn high(self) -> Self;
+    /// Returns all ones if `yes`.
+    #[doc(hidden)]
+    fn mask(yes: bool) -> Self::Bits;
+    /// Selects bit by bit.
+    #[doc(hidden)]
+    fn choose(mask: Self::Bits, yes: Self, no: Self) -> Self;
+    /// Returns the bitwise and.
+    #[doc(hidden)]
+    fn and(a: Self::Bits, b: Self::Bits) -> Self::Bits;
+    /// Returns the bitwise or.
+    #[doc(hidden)]
+    fn or(a: Self::Bits, b: Self::Bits) -> Self::Bits;
+    /// Returns the bitwise complement.
+    #[doc(hidden)]
+    fn not(a: Self::Bits) -> Self::Bits;
 }
-
-macro_rules! real {
-    ($($float:ident is $format:ident)*) => { $(
-        impl Real for $float {
-            const FORMAT: Format = Format::$format;
-            type NumDual = num_dual::Dual<$float>;
-            #[inline]
-            fn num_dual(value: Self, derivative: Self) -> Self::NumDual {
-                num_dual::Dual::new(value, derivative)
-            }
-            #[inline]
-            fn of_num_dual(dual: Self::NumDual) -> (Self, Self) {
-                (dual.re, dual.eps)
-            }
-        }
-    )* };
-}
-real!(f32 is F32 f64 is F64);
 
 /// Returns the one of two values, in `f32` and in `f64`, that has the type of the format in question.
 #[inline]

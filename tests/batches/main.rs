@@ -1,5 +1,6 @@
 //! Batches on the CPU.
 mod bits;
+mod c_source;
 mod calls;
 mod declared;
 mod dynamic;
@@ -11,6 +12,7 @@ mod grouped;
 mod hessians;
 mod identities;
 mod jacobian;
+mod javascript;
 mod memory;
 mod names;
 mod nan;
@@ -25,3 +27,4 @@ mod spellings;
 mod straight;
 mod verbs;
 mod widths;
+mod written;

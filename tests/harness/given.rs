@@ -59,16 +59,15 @@ fn given(
 
 /// Rows that a judge without their source cannot accept at some hard cases: of a segment along the side of a box that it
 /// enters or along an edge of a tetrahedron, where derivatives are shared otherwise than between both sides; of a line
-/// through a corner, and of equal flat tetrahedra, whose distance is a rounding there and not 0; of a pose's cosine and
-/// sine, whose derivatives are differences of terms that cancel.
-const SHARED_OTHERWISE: [&str; 7] = [
+/// through a corner, and of equal flat tetrahedra, whose distance is a rounding there and not 0. Rows of poses are left out,
+/// too: derivatives by cosine and sine, or by a quaternion, are differences of terms that cancel.
+const SHARED_OTHERWISE: [&str; 6] = [
     "signed_distance_segment_obb2",
     "signed_distance_obb2_segment",
     "signed_distance_capsule_tetrahedron",
     "signed_distance_tetrahedra",
     "distance_line_triangle3",
     "distance_line_tetrahedron",
-    "move_segment",
 ];
 
 /// A sample of the straight rows, since each is asked item by item.
@@ -77,6 +76,7 @@ fn rows() -> Vec<&'static Tested> {
         let name = row.name();
         row.operation.sort == Sort::Straight
             && !name.contains("obb3")
+            && !name.starts_with("move_")
             && !SHARED_OTHERWISE.contains(&name)
     };
     sample(checked().into_iter().filter(straight).collect(), &[])

@@ -95,7 +95,7 @@ macro_rules! instructions {
 }
 pub(crate) use instructions;
 
-/// The names as an enumeration.
+/// The names as an enumeration, and the instructions with one result as a list.
 macro_rules! names {
     ($($name:ident($($x:ident),*) = $value:expr;)*) => {
         /// The operation of an instruction.
@@ -118,6 +118,19 @@ macro_rules! names {
             /// Skips the next `to[0]` instructions if the truth `from[0]` holds for no item.
             SkipIfNone,
         }
+
+        /// The name and the number of operands of every instruction with one result, in the order of [`Opcode`].
+        #[cfg_attr(
+            not(any(
+                feature = "gpu",
+                all(target_arch = "x86_64", feature = "native", not(geograd_portable))
+            )),
+            expect(dead_code, reason = "only machine code and shaders list instructions")
+        )]
+        pub(crate) const LISTED: &[(&str, usize)] = &[$((
+            stringify!($name),
+            [$(stringify!($x)),*].len(),
+        )),*];
     };
 }
 instructions! { names!() }

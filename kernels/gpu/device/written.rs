@@ -1,11 +1,11 @@
 //! The shaders: their source files, and the constants in front of them.
 //!
 //! A shader is its constants followed by its files. Constants are defined in Rust alone.
-use crate::Scalar;
+use crate::ad::program::wgsl::literal;
 use crate::clip::{FAR, LARGEST_INVERSE};
 use crate::overlap::Denominator;
 use crate::ring::Measure;
-use crate::scalar::float::Float;
+use crate::{Real, Scalar};
 use std::fmt::Write;
 
 /// The number of threads of a workgroup.
@@ -103,10 +103,6 @@ impl Take {
 
 /// The walk of a reduction, for every source and every kind of result.
 pub(super) const REDUCE: &str = include_str!("../wgsl/reduce.wgsl");
-/// Returns a number as a WGSL literal with equal bits.
-fn literal(x: f32) -> String {
-    format!("{x:e}f")
-}
 
 /// Returns the sizes of a kernel.
 pub(super) fn sizes(group: usize, step: usize, strip: usize) -> String {
@@ -120,7 +116,7 @@ pub(super) fn sizes(group: usize, step: usize, strip: usize) -> String {
 /// Returns the constants of kernels by hand, which Rust and WGSL share.
 pub(super) fn policy() -> String {
     // All ones, except the low half of the significand.
-    let high_half = Float::high(f32::from_bits(u32::MAX)).to_bits();
+    let high_half = Real::high(f32::from_bits(u32::MAX)).to_bits();
     let mut text = String::new();
     for (name, value) in [
         ("HIGH_HALF", high_half),

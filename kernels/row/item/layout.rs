@@ -212,7 +212,7 @@ pub(crate) fn get<P: Fixed<Scalar: Real>>(numbers: &[P::Scalar]) -> P {
 /// Returns the codes that a column's numbers stand for.
 fn codes_of<T: Real>(numbers: &[T]) -> Vec<u32> {
     // Via `i64`, since columns have codes of either sign.
-    let code = |&x: &T| crate::scalar::float::Float::widen(x) as i64 as u32;
+    let code = |&x: &T| x.widen() as i64 as u32;
     numbers.iter().map(code).collect()
 }
 

@@ -13,19 +13,22 @@ Every verb (``geograd.iou``, ``geograd.distance``, ...) takes shapes: arrays who
 
 import os as _os
 
-from . import _core, assignment, metric
-from ._core import Paths, Program, Shape, Symbol, Truth, __version__, get_num_threads, set_num_threads
+from . import _core, assignment, metric, suppression
+from ._core import WGSL, Program, Shape, Symbol, Truth, __version__, get_num_threads, set_num_threads
 from ._camera import sees
 from ._check import Reports, check
-from ._elementary import (
-    arctan2, clip, copysign, cos, exp, hypot, log, maximum, minimum, sin, sqrt, square, tan, where,
-)
+from . import _elementary
+from ._elementary import ELEMENTARY as _ELEMENTARY, clip, where
 from ._function import Function, function
-from ._shapes import CLASSES as _CLASSES, Clouds, Polylines, Rings
+from ._points import convex_hull, procrustes
+from ._polygons import OVERLAYS as _OVERLAYS, Polygons, contains, union_area
+from ._shapes import CLASSES as _CLASSES, Clouds, Paths, Polylines, Rings
 from ._verbs import VERBS as _VERBS, Verb
 
 globals().update(_CLASSES)
 globals().update(_VERBS)
+globals().update({name: getattr(_elementary, name) for name in _ELEMENTARY})
+globals().update(_OVERLAYS)
 
 # A child has none of its parent's threads, and must not find a lock held.
 if hasattr(_os, "register_at_fork"):
@@ -35,8 +38,9 @@ if hasattr(_os, "register_at_fork"):
 
 __all__ = sorted(
     [
-        "Clouds", "Function", "Paths", "Polylines", "Program", "Reports", "Rings", "Shape", "Symbol", "Truth", "Verb", "__version__", "assignment", "metric",
-        "arctan2", "check", "clip", "copysign", "cos", "exp", "function", "get_num_threads", "hypot", "log", "maximum", "minimum",
-        "sees", "set_num_threads", "sin", "sqrt", "square", "tan", "where", *_CLASSES, *_VERBS,
+        "Clouds", "Function", "Paths", "Polygons", "Polylines", "Program", "Reports", "Rings", "Shape", "Symbol", "Truth", "Verb",
+        "WGSL", "__version__", "assignment", "metric", "suppression",
+        "check", "clip", "contains", "convex_hull", "function", "get_num_threads", "procrustes", "sees", "set_num_threads",
+        "union_area", "where", *_ELEMENTARY, *_CLASSES, *_OVERLAYS, *_VERBS,
     ]
 )

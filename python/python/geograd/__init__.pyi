@@ -12,14 +12,16 @@ Every verb (``geograd.iou``, ``geograd.distance``, ...) takes shapes: arrays who
 """
 
 # Written by stubs.py, from the table of the library.
-from typing import Any, Callable, Iterable, Literal, Optional, Sequence, Tuple, Type, TypeVar, Union, overload
+from typing import Any, Callable, Iterable, Iterator, Literal, Optional, Sequence, Tuple, Type, TypeVar, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import assignment as assignment, metric as metric
+from . import assignment as assignment, metric as metric, suppression as suppression
 
 __version__: str
+WGSL: str
+"""The functions that programs call in WGSL: once in every shader with functions that `wgsl` writes."""
 
 Array = NDArray[Any]
 Kind = Union[str, Type["Shape"], None, Sequence[Union[str, Type["Shape"], None]]]
@@ -27,6 +29,7 @@ Out = Any
 Groups = Optional[Sequence[ArrayLike]]
 Backend = Optional[Literal["cpu", "gpu"]]
 Form = Literal["value", "value_grad", "vjp", "jacobian", "jvp", "hvp", "hessian"]
+Fill = Literal["even_odd", "nonzero"]
 
 class Symbol:
     """A number of a function that is being recorded."""
@@ -38,7 +41,12 @@ class Symbol:
     def __rmul__(self, other: Any) -> Symbol: ...
     def __truediv__(self, other: Any) -> Symbol: ...
     def __rtruediv__(self, other: Any) -> Symbol: ...
-    def __pow__(self, power: float) -> Symbol: ...
+    def __floordiv__(self, other: Any) -> Symbol: ...
+    def __rfloordiv__(self, other: Any) -> Symbol: ...
+    def __mod__(self, other: Any) -> Symbol: ...
+    def __rmod__(self, other: Any) -> Symbol: ...
+    def __pow__(self, exponent: Any) -> Symbol: ...
+    def __rpow__(self, base: Any) -> Symbol: ...
     def __neg__(self) -> Symbol: ...
     def __abs__(self) -> Symbol: ...
     def __lt__(self, other: Any) -> Truth: ...
@@ -61,6 +69,7 @@ class Shape:
     def __array__(self, dtype: Any = ..., copy: Optional[bool] = ...) -> Array: ...
     def __len__(self) -> int: ...
     def __getitem__(self: _Self, key: Any) -> _Self: ...
+    def __iter__(self: _Self) -> Iterator[_Self]: ...
     def __eq__(self, other: object) -> Any:
         """Whether all numbers are equal, row by row; shapes of another kind differ."""
     def __ne__(self, other: object) -> Any: ...
@@ -68,13 +77,23 @@ class Shape:
 _Self = TypeVar("_Self", bound=Shape)
 
 class Paths:
-    """Paths: vertices one after another, and where each path starts; the last offset is the number of vertices."""
+    """Paths: vertices one after another, and where each path starts; the last offset is the number of vertices.
+
+    `paths[i]` is an array of the vertices of one, `paths[i:j]`, and places or truths as an array, are paths.
+    """
     def __init__(self, vertices: ArrayLike, offsets: ArrayLike) -> None: ...
     @property
     def vertices(self) -> Array: ...
     @property
     def offsets(self) -> Array: ...
     def __len__(self) -> int: ...
+    @overload
+    def __getitem__(self, key: int) -> Array: ...
+    @overload
+    def __getitem__(self: _SelfPaths, key: Union[slice, ArrayLike]) -> _SelfPaths: ...
+    def __iter__(self) -> Iterator[Array]: ...
+
+_SelfPaths = TypeVar("_SelfPaths", bound=Paths)
 
 class Rings(Paths):
     """Closed paths: the last vertex of each is joined with its first one."""
@@ -91,6 +110,82 @@ class Clouds(Paths):
     @classmethod
     def of(cls, clouds: Iterable[Any]) -> Clouds: ...
 
+class Polygons:
+    """A column of polygons, each of parts with holes."""
+    def __init__(self, vertices: ArrayLike, offsets: Sequence[ArrayLike]) -> None: ...
+    @classmethod
+    def of(cls, polygons: Any) -> Polygons:
+        """Polygons of a list, of geometries, of rings or of boxes."""
+    @classmethod
+    def from_shapely(cls, geometries: Any) -> Polygons:
+        """Polygons of an array of shapely's polygons and multipolygons, or of a GeoSeries."""
+    def to_shapely(self) -> Array:
+        """An array of shapely's geometries: of a polygon of one part a Polygon, of any other a MultiPolygon."""
+    @classmethod
+    def from_arrow(cls, column: Any) -> Polygons:
+        """Polygons of a GeoArrow column."""
+    def to_arrow(self) -> Any:
+        """A GeoArrow column of multipolygons."""
+    @classmethod
+    def concatenate(cls, columns: Iterable[Any]) -> Polygons:
+        """The polygons of several columns, one after the other."""
+    def tolist(self) -> list[list[list[Array]]]:
+        """The polygons as lists of parts, each a list of rings of shape (V, 2)."""
+    def union_all(self, *, valid: bool = ...) -> Polygons:
+        """The union of all polygons of the column, a column of one."""
+    def make_valid(self, *, fill: Fill = ...) -> Polygons:
+        """The same areas as polygons that are valid by the OGC's rules."""
+    @property
+    def vertices(self) -> Array: ...
+    @property
+    def offsets(self) -> tuple[Array, Array, Array]: ...
+    @property
+    def bounds(self) -> Aabb2: ...
+    def __len__(self) -> int: ...
+    def __getitem__(self, key: Any) -> Polygons: ...
+    def __iter__(self) -> Iterator[Polygons]: ...
+    def __eq__(self, other: object) -> Any: ...
+    def __ne__(self, other: object) -> Any: ...
+
+class _Overlay:
+    __name__: str
+    def __call__(self, a: Any, b: Any, *, fill: Fill = ..., valid: bool = ...) -> Polygons: ...
+    def vjp(self, a: Any, b: Any, upstream: ArrayLike, *, fill: Fill = ..., valid: bool = ...) -> tuple[Array, Array]:
+        """Cotangents of the vertices of both columns, from those of the vertices of the result."""
+
+class _UnionArea:
+    __name__: str
+    def __call__(self, a: Any, b: Any) -> Array: ...
+    def value_grad(self, a: Any, b: Any) -> tuple[Array, tuple[Array, Array]]:
+        """The value of every item, and its gradients by the vertices of both columns."""
+    def vjp(self, a: Any, b: Any, upstream: ArrayLike) -> tuple[Array, Array]:
+        """Cotangents of the vertices of both columns, from those of the values."""
+    def all_pairs(self, a: Any, b: Any) -> Array:
+        """Every polygon of `a` with every polygon of `b`: a matrix."""
+
+union_area: _UnionArea
+
+class _ConvexHull:
+    __name__: str
+    def __call__(self, points: Any) -> Polygons: ...
+    def vjp(self, points: Any, upstream: ArrayLike) -> Array:
+        """Cotangents of all points, from those of the vertices of the hulls."""
+
+convex_hull: _ConvexHull
+
+class _Procrustes:
+    __name__: str
+    def __call__(self, points: Any, targets: Any, weights: Optional[ArrayLike] = ..., *, rigid: bool = ...) -> tuple[Pose3, float]: ...
+    def vjp(
+        self, points: Any, targets: Any, weights: Optional[ArrayLike], pose_bar: ArrayLike, scale_bar: float = ..., *, rigid: bool = ...
+    ) -> tuple[Array, Array, Array]:
+        """Cotangents of points, targets and weights, from those of the pose and of the scale."""
+
+procrustes: _Procrustes
+
+def contains(polygons: Any, points: Any, *, fill: Fill = ...) -> Array:
+    """Whether polygons contain points, item by item, decided exactly; the border belongs to a polygon."""
+
 class Program:
     """The operations of a function, in the order in which they are carried out."""
     @property
@@ -100,6 +195,10 @@ class Program:
     def nodes(self) -> tuple[list[tuple[str, list[int], float]], list[int]]: ...
     def eval(self, input: Sequence[float]) -> list[float]: ...
     def wgsl(self, name: str = ...) -> str: ...
+    def c(self, name: str = ...) -> str: ...
+    def c_header(self, name: str = ...) -> str: ...
+    def cuda(self, name: str = ...) -> str: ...
+    def javascript(self, name: str = ...) -> str: ...
 
 class Reports(Tuple[Any, ...]):
     """What the harness found out, a report for each format."""
@@ -108,9 +207,9 @@ class Reports(Tuple[Any, ...]):
 
 class _Forms:
     def row_max(self, a: Any, b: Any, *, groups: Groups = ..., kind: Kind = ..., backend: Backend = ...) -> tuple[Array, Array]:
-        """The largest result of every row of `a`, and its row of `b`; -inf and -1 in a group without rows of `b`."""
+        """The largest result of every row of `a`, and its row of `b`; -inf and -1 where `b`, or a group, has no rows of `b`."""
     def column_max(self, a: Any, b: Any, *, groups: Groups = ..., kind: Kind = ..., backend: Backend = ...) -> tuple[Array, Array]:
-        """The largest result of every row of `b`, and its row of `a`; -inf and -1 in a group without rows of `a`."""
+        """The largest result of every row of `b`, and its row of `a`; -inf and -1 where `a`, or a group, has no rows of `a`."""
     def all_pairs(self, a: Any, b: Any, *, kind: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array:
         """Every row of `a` with every row of `b`: a matrix."""
     def above(
@@ -134,36 +233,41 @@ class _Forms:
         most: Optional[int] = ..., groups: Optional[ArrayLike] = ..., kind: Kind = ...
     ) -> Array:
         """The places of the shapes that no better one, kept itself, overlaps by more than a threshold, the best first."""
-    def aligned(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any:
+    def aligned(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> Any:
         """Item i of every argument: the plain call under its name."""
-    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> tuple[Any, Any]:
-        """The value of every item, and its gradient by every argument."""
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Any]:
+        """The value of every item, one number, and its gradient by every argument: of every item, also by one row that
+        stands for all; sum over items for its gradient of the sum."""
     def vjp(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any:
         """Cotangents of the arguments; those of the result come last."""
     def jvp(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> tuple[Any, Any]:
         """The value and its derivative along directions, which come after the arguments."""
     def hvp(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any:
         """The derivative of the gradient along directions, which come after the arguments."""
-    def jacobian(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array:
+    def jacobian(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> Array:
         """The derivatives of every number of the result by every number of the arguments."""
-    def hessian(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array:
+    def hessian(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> Array:
         """The second derivatives by all numbers of the arguments."""
 
 class Verb(_Forms):
     """A function of shapes, of which the shapes choose the row."""
     __name__: str
     def program(self, *, kind: Kind, to: Kind = ..., form: Form = ..., double: bool = ...) -> Program: ...
+    def javascript(self, *, kind: Kind, to: Kind = ..., form: Form = ..., name: Optional[str] = ...) -> str: ...
 
 class Function(_Forms):
     """A function that is recorded once, at its first call, and then runs on arrays."""
     __name__: str
     __wrapped__: Callable[..., Any]
     def __init__(self, function: Callable[..., Any]) -> None: ...
-    def __call__(self, *arguments: Any, out: Out = ..., backend: Backend = ...) -> Any: ...
+    def __call__(self, *arguments: Any, out: Out = ..., backend: Backend = ..., **named: Any) -> Any: ...
+    def __get__(self, instance: object, owner: Any = ...) -> Function:
+        """The function of an object's method."""
     @property
     def program(self) -> Program: ...
     def program_of(self, form: Form = ..., dtype: Any = ...) -> Program: ...
     def wgsl(self, name: Optional[str] = ...) -> str: ...
+    def javascript(self, name: Optional[str] = ..., form: Form = ...) -> str: ...
 
 def function(f: Callable[..., Any]) -> Function:
     """Records a function of annotated arguments once, and runs it on arrays, with all its derivatives."""
@@ -189,9 +293,9 @@ def check(
     """Runs the harness on the derivatives of a function, prints its report and returns it."""
 
 def set_num_threads(threads: int) -> None:
-    """Sets how many threads calls use."""
+    """Sets how many threads calls use, from 1 to 1024."""
 def get_num_threads() -> int:
-    """How many threads calls use: GEOGRAD_THREADS, or all."""
+    """How many threads calls use: GEOGRAD_THREADS, or as many as there are processors."""
 def sees(points: Union[Vec3, ArrayLike], camera: Union[Pinhole, BrownConrady, Fisheye]) -> Array:
     """Whether each camera sees each point of its frame, an array of truths: where not, the pixel of `project` means nothing."""
 def where(condition: Any, a: Any, b: Any) -> Any:
@@ -199,33 +303,245 @@ def where(condition: Any, a: Any, b: Any) -> Any:
 def clip(x: Any, low: Any, high: Any) -> Any:
     """The nearest value between two bounds; of symbols the derivative is shared at either."""
 
-def sqrt(x: Any) -> Any:
+@overload
+def sqrt(x: Symbol) -> Symbol:
     """The square root; NaN below zero. Of symbols with derivative zero at zero."""
-def square(x: Any) -> Any:
+@overload
+def sqrt(x: ArrayLike) -> Any:
+    """The square root; NaN below zero. Of symbols with derivative zero at zero."""
+@overload
+def square(x: Symbol) -> Symbol:
     """The square."""
-def sin(x: Any) -> Any:
+@overload
+def square(x: ArrayLike) -> Any:
+    """The square."""
+@overload
+def sin(x: Symbol) -> Symbol:
     """The sine of an angle in radians."""
-def cos(x: Any) -> Any:
+@overload
+def sin(x: ArrayLike) -> Any:
+    """The sine of an angle in radians."""
+@overload
+def cos(x: Symbol) -> Symbol:
     """The cosine of an angle in radians."""
-def tan(x: Any) -> Any:
+@overload
+def cos(x: ArrayLike) -> Any:
+    """The cosine of an angle in radians."""
+@overload
+def tan(x: Symbol) -> Symbol:
     """The tangent of an angle in radians."""
-def exp(x: Any) -> Any:
+@overload
+def tan(x: ArrayLike) -> Any:
+    """The tangent of an angle in radians."""
+@overload
+def exp(x: Symbol) -> Symbol:
     """The exponential."""
-def log(x: Any) -> Any:
+@overload
+def exp(x: ArrayLike) -> Any:
+    """The exponential."""
+@overload
+def log(x: Symbol) -> Symbol:
     """The natural logarithm."""
-def arctan2(a: Any, b: Any) -> Any:
+@overload
+def log(x: ArrayLike) -> Any:
+    """The natural logarithm."""
+@overload
+def cbrt(x: Symbol) -> Symbol:
+    """The cube root; of symbols with derivative zero at zero."""
+@overload
+def cbrt(x: ArrayLike) -> Any:
+    """The cube root; of symbols with derivative zero at zero."""
+@overload
+def exp2(x: Symbol) -> Symbol:
+    """Two to a power; of symbols right to x roundings."""
+@overload
+def exp2(x: ArrayLike) -> Any:
+    """Two to a power; of symbols right to x roundings."""
+@overload
+def expm1(x: Symbol) -> Symbol:
+    """The exponential less one, right near zero."""
+@overload
+def expm1(x: ArrayLike) -> Any:
+    """The exponential less one, right near zero."""
+@overload
+def log1p(x: Symbol) -> Symbol:
+    """The natural logarithm of one more, right near zero."""
+@overload
+def log1p(x: ArrayLike) -> Any:
+    """The natural logarithm of one more, right near zero."""
+@overload
+def log2(x: Symbol) -> Symbol:
+    """The logarithm to the base 2."""
+@overload
+def log2(x: ArrayLike) -> Any:
+    """The logarithm to the base 2."""
+@overload
+def log10(x: Symbol) -> Symbol:
+    """The logarithm to the base 10."""
+@overload
+def log10(x: ArrayLike) -> Any:
+    """The logarithm to the base 10."""
+@overload
+def logaddexp(a: Symbol, b: Union[Symbol, float]) -> Symbol:
+    """The logarithm of the sum of two exponentials, without overflow."""
+@overload
+def logaddexp(a: float, b: Symbol) -> Symbol:
+    """The logarithm of the sum of two exponentials, without overflow."""
+@overload
+def logaddexp(a: ArrayLike, b: ArrayLike) -> Any:
+    """The logarithm of the sum of two exponentials, without overflow."""
+@overload
+def sinh(x: Symbol) -> Symbol:
+    """The hyperbolic sine."""
+@overload
+def sinh(x: ArrayLike) -> Any:
+    """The hyperbolic sine."""
+@overload
+def cosh(x: Symbol) -> Symbol:
+    """The hyperbolic cosine."""
+@overload
+def cosh(x: ArrayLike) -> Any:
+    """The hyperbolic cosine."""
+@overload
+def tanh(x: Symbol) -> Symbol:
+    """The hyperbolic tangent."""
+@overload
+def tanh(x: ArrayLike) -> Any:
+    """The hyperbolic tangent."""
+@overload
+def arcsinh(x: Symbol) -> Symbol:
+    """The inverse of the hyperbolic sine."""
+@overload
+def arcsinh(x: ArrayLike) -> Any:
+    """The inverse of the hyperbolic sine."""
+@overload
+def arccosh(x: Symbol) -> Symbol:
+    """The inverse of the hyperbolic cosine; NaN below 1."""
+@overload
+def arccosh(x: ArrayLike) -> Any:
+    """The inverse of the hyperbolic cosine; NaN below 1."""
+@overload
+def arctanh(x: Symbol) -> Symbol:
+    """The inverse of the hyperbolic tangent; NaN beyond 1."""
+@overload
+def arctanh(x: ArrayLike) -> Any:
+    """The inverse of the hyperbolic tangent; NaN beyond 1."""
+@overload
+def arcsin(x: Symbol) -> Symbol:
+    """The angle in radians with a sine; NaN beyond 1, of symbols with derivative zero at 1 and -1."""
+@overload
+def arcsin(x: ArrayLike) -> Any:
+    """The angle in radians with a sine; NaN beyond 1, of symbols with derivative zero at 1 and -1."""
+@overload
+def arccos(x: Symbol) -> Symbol:
+    """The angle in radians with a cosine; NaN beyond 1, of symbols with derivative zero at 1 and -1."""
+@overload
+def arccos(x: ArrayLike) -> Any:
+    """The angle in radians with a cosine; NaN beyond 1, of symbols with derivative zero at 1 and -1."""
+@overload
+def arctan(x: Symbol) -> Symbol:
+    """The angle in radians with a tangent."""
+@overload
+def arctan(x: ArrayLike) -> Any:
+    """The angle in radians with a tangent."""
+@overload
+def power(a: Symbol, b: Union[Symbol, float]) -> Symbol:
+    """A power; of symbols with an exponent that is a symbol NaN below zero, and right to b log(a) roundings."""
+@overload
+def power(a: float, b: Symbol) -> Symbol:
+    """A power; of symbols with an exponent that is a symbol NaN below zero, and right to b log(a) roundings."""
+@overload
+def power(a: ArrayLike, b: ArrayLike) -> Any:
+    """A power; of symbols with an exponent that is a symbol NaN below zero, and right to b log(a) roundings."""
+@overload
+def floor(x: Symbol) -> Symbol:
+    """The largest whole number that is not above; of symbols with derivative zero."""
+@overload
+def floor(x: ArrayLike) -> Any:
+    """The largest whole number that is not above; of symbols with derivative zero."""
+@overload
+def ceil(x: Symbol) -> Symbol:
+    """The smallest whole number that is not below; of symbols with derivative zero."""
+@overload
+def ceil(x: ArrayLike) -> Any:
+    """The smallest whole number that is not below; of symbols with derivative zero."""
+@overload
+def trunc(x: Symbol) -> Symbol:
+    """The whole number without the digits after the point; of symbols with derivative zero."""
+@overload
+def trunc(x: ArrayLike) -> Any:
+    """The whole number without the digits after the point; of symbols with derivative zero."""
+@overload
+def rint(x: Symbol) -> Symbol:
+    """The nearest whole number, of two the even one; of symbols with derivative zero."""
+@overload
+def rint(x: ArrayLike) -> Any:
+    """The nearest whole number, of two the even one; of symbols with derivative zero."""
+@overload
+def sign(x: Symbol) -> Symbol:
+    """1, -1 or 0; of symbols with derivative zero."""
+@overload
+def sign(x: ArrayLike) -> Any:
+    """1, -1 or 0; of symbols with derivative zero."""
+@overload
+def mod(a: Symbol, b: Union[Symbol, float]) -> Symbol:
+    """The rest of a division, zero or of the sign of b; of symbols right to the rounding of a."""
+@overload
+def mod(a: float, b: Symbol) -> Symbol:
+    """The rest of a division, zero or of the sign of b; of symbols right to the rounding of a."""
+@overload
+def mod(a: ArrayLike, b: ArrayLike) -> Any:
+    """The rest of a division, zero or of the sign of b; of symbols right to the rounding of a."""
+@overload
+def arctan2(a: Symbol, b: Union[Symbol, float]) -> Symbol:
     """The angle of the vector (b, a) in radians, from -pi to pi."""
-def hypot(a: Any, b: Any) -> Any:
+@overload
+def arctan2(a: float, b: Symbol) -> Symbol:
+    """The angle of the vector (b, a) in radians, from -pi to pi."""
+@overload
+def arctan2(a: ArrayLike, b: ArrayLike) -> Any:
+    """The angle of the vector (b, a) in radians, from -pi to pi."""
+@overload
+def hypot(a: Symbol, b: Union[Symbol, float]) -> Symbol:
     """The length of the vector (a, b), with derivative zero at the origin."""
-def copysign(a: Any, b: Any) -> Any:
+@overload
+def hypot(a: float, b: Symbol) -> Symbol:
+    """The length of the vector (a, b), with derivative zero at the origin."""
+@overload
+def hypot(a: ArrayLike, b: ArrayLike) -> Any:
+    """The length of the vector (a, b), with derivative zero at the origin."""
+@overload
+def copysign(a: Symbol, b: Union[Symbol, float]) -> Symbol:
     """The magnitude of a with the sign of b."""
-def minimum(a: Any, b: Any) -> Any:
+@overload
+def copysign(a: float, b: Symbol) -> Symbol:
+    """The magnitude of a with the sign of b."""
+@overload
+def copysign(a: ArrayLike, b: ArrayLike) -> Any:
+    """The magnitude of a with the sign of b."""
+@overload
+def minimum(a: Symbol, b: Union[Symbol, float]) -> Symbol:
     """The smaller one; of symbols an exact tie shares the derivative."""
-def maximum(a: Any, b: Any) -> Any:
+@overload
+def minimum(a: float, b: Symbol) -> Symbol:
+    """The smaller one; of symbols an exact tie shares the derivative."""
+@overload
+def minimum(a: ArrayLike, b: ArrayLike) -> Any:
+    """The smaller one; of symbols an exact tie shares the derivative."""
+@overload
+def maximum(a: Symbol, b: Union[Symbol, float]) -> Symbol:
+    """The larger one; of symbols an exact tie shares the derivative."""
+@overload
+def maximum(a: float, b: Symbol) -> Symbol:
+    """The larger one; of symbols an exact tie shares the derivative."""
+@overload
+def maximum(a: ArrayLike, b: ArrayLike) -> Any:
     """The larger one; of symbols an exact tie shares the derivative."""
 
 class Aabb2(Shape):
-    """Aabb2: an array whose last axis has its numbers, in this order.
+    """An axis-aligned box in the plane, by two corners: torchvision's xyxy.
+
+    An array whose last axis has its numbers, in this order:
 
         min.x: coordinate, at most max.x
         min.y: coordinate, at most max.y
@@ -239,7 +555,9 @@ class Aabb2(Shape):
     def max(self) -> Vec2: ...
 
 class Aabb3(Shape):
-    """Aabb3: an array whose last axis has its numbers, in this order.
+    """An axis-aligned box in space, by two corners.
+
+    An array whose last axis has its numbers, in this order:
 
         min.x: coordinate, at most max.x
         min.y: coordinate, at most max.y
@@ -255,7 +573,9 @@ class Aabb3(Shape):
     def max(self) -> Vec3: ...
 
 class AreaMoments(Shape):
-    """AreaMoments: an array whose last axis has its numbers, in this order.
+    """The second moments of an area: integrals of x * x, y * y and x * y.
+
+    An array whose last axis has its numbers, in this order:
 
         xx: number
         yy: number
@@ -270,7 +590,10 @@ class AreaMoments(Shape):
     def xy(self) -> Any: ...
 
 class BrownConrady(Shape):
-    """BrownConrady: an array whose last axis has its numbers, in this order.
+    """A camera with the distortion of Brown and Conrady: k1, k2, k3 and p1, p2 of OpenCV, whose vector has
+    k3 last.
+
+    An array whose last axis has its numbers, in this order:
 
         pinhole.fx: length, above 0
         pinhole.fy: length, above 0
@@ -291,7 +614,9 @@ class BrownConrady(Shape):
     def tangential(self) -> list[Any]: ...
 
 class Capsule2(Shape):
-    """Capsule2: an array whose last axis has its numbers, in this order.
+    """All points at most a radius from a segment of the plane.
+
+    An array whose last axis has its numbers, in this order:
 
         from.x: coordinate
         from.y: coordinate
@@ -308,7 +633,9 @@ class Capsule2(Shape):
     def radius(self) -> Any: ...
 
 class Capsule3(Shape):
-    """Capsule3: an array whose last axis has its numbers, in this order.
+    """All points at most a radius from a segment of space.
+
+    An array whose last axis has its numbers, in this order:
 
         start.x: coordinate
         start.y: coordinate
@@ -327,11 +654,13 @@ class Capsule3(Shape):
     def radius(self) -> Any: ...
 
 class Chord(Shape):
-    """Chord: an array whose last axis has its numbers, in this order.
+    """The part of a line in a shape, by parameters of the line.
 
-        enter: number
-        exit: number
-        found: number
+    An array whose last axis has its numbers, in this order:
+
+        enter: least parameter in lengths of the direction; 0 for a miss
+        exit: greatest parameter in lengths of the direction; 0 for a miss
+        found: 1 where the line meets the shape, else 0
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
@@ -342,7 +671,9 @@ class Chord(Shape):
     def found(self) -> Any: ...
 
 class Circle(Shape):
-    """Circle: an array whose last axis has its numbers, in this order.
+    """A disc of the plane.
+
+    An array whose last axis has its numbers, in this order:
 
         x: coordinate
         y: coordinate
@@ -357,14 +688,16 @@ class Circle(Shape):
     def radius(self) -> Any: ...
 
 class ClosestOnSegments(Shape):
-    """ClosestOnSegments: an array whose last axis has its numbers, in this order.
+    """The nearest points of two segments, and where they are: 0 at the start, 1 at the end.
+
+    An array whose last axis has its numbers, in this order:
 
         on_a.x: coordinate
         on_a.y: coordinate
         on_b.x: coordinate
         on_b.y: coordinate
-        along_a: number
-        along_b: number
+        along_a: share of the way along a
+        along_b: share of the way along b
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
@@ -377,7 +710,9 @@ class ClosestOnSegments(Shape):
     def along_b(self) -> Any: ...
 
 class CommonLine3(Shape):
-    """CommonLine3: an array whose last axis has its numbers, in this order.
+    """The line that two planes share.
+
+    An array whose last axis has its numbers, in this order:
 
         point.x: coordinate
         point.y: coordinate
@@ -385,7 +720,7 @@ class CommonLine3(Shape):
         direction.x: part of a direction
         direction.y: part of a direction
         direction.z: part of a direction
-        found: number
+        found: 1 where there is one, else 0
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
@@ -396,13 +731,15 @@ class CommonLine3(Shape):
     def found(self) -> Any: ...
 
 class CommonPart(Shape):
-    """CommonPart: an array whose last axis has its numbers, in this order.
+    """The part that two segments share.
+
+    An array whose last axis has its numbers, in this order:
 
         from.x: coordinate
         from.y: coordinate
         to.x: coordinate
         to.y: coordinate
-        kind: number
+        kind: 0 for nothing, 1 for a point, 2 for a segment
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
@@ -413,13 +750,15 @@ class CommonPart(Shape):
     def kind(self) -> Any: ...
 
 class CommonPoint(Shape):
-    """CommonPoint: an array whose last axis has its numbers, in this order.
+    """The point in which two lines cross, and its parameters on both.
+
+    An array whose last axis has its numbers, in this order:
 
         point.x: coordinate
         point.y: coordinate
-        along_a: number
-        along_b: number
-        found: number
+        along_a: distance from a's point in lengths of its direction; 0 for parallel lines
+        along_b: distance from b's point in lengths of its direction; 0 for parallel lines
+        found: 1 where the lines cross, 0 where they are parallel
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
@@ -432,12 +771,14 @@ class CommonPoint(Shape):
     def found(self) -> Any: ...
 
 class CommonPoint3(Shape):
-    """CommonPoint3: an array whose last axis has its numbers, in this order.
+    """The point that three planes share.
+
+    An array whose last axis has its numbers, in this order:
 
         point.x: coordinate
         point.y: coordinate
         point.z: coordinate
-        found: number
+        found: 1 where there is one, else 0
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
@@ -446,7 +787,9 @@ class CommonPoint3(Shape):
     def found(self) -> Any: ...
 
 class Cone(Shape):
-    """Cone: an array whose last axis has its numbers, in this order.
+    """A cone: its apex and the middle of its base, which differ, and the base's radius.
+
+    An array whose last axis has its numbers, in this order:
 
         apex.x: coordinate, not all parts 0
         apex.y: coordinate, not all parts 0
@@ -465,9 +808,12 @@ class Cone(Shape):
     def radius(self) -> Any: ...
 
 class Contact(Shape):
-    """Contact: an array whose last axis has its numbers, in this order.
+    """How deep two shapes are in each other, and the direction of the shortest shift of the second one
+    that parts them.
 
-        depth: length
+    An array whose last axis has its numbers, in this order:
+
+        depth: length, 0 where the shapes are apart
         direction.x: coordinate
         direction.y: coordinate
     """
@@ -478,9 +824,12 @@ class Contact(Shape):
     def direction(self) -> Vec2: ...
 
 class Contact3(Shape):
-    """Contact3: an array whose last axis has its numbers, in this order.
+    """How deep two shapes are in each other, and the direction of the shortest shift of the second one
+    that parts them.
 
-        depth: length
+    An array whose last axis has its numbers, in this order:
+
+        depth: length, 0 where the shapes are apart
         direction.x: coordinate
         direction.y: coordinate
         direction.z: coordinate
@@ -492,7 +841,10 @@ class Contact3(Shape):
     def direction(self) -> Vec3: ...
 
 class ConvexPolygon5(Shape):
-    """ConvexPolygon5: an array whose last axis has its numbers, in this order.
+    """A convex polygon of up to 5 vertices, in counter-clockwise order. The last number is how many
+    vertices count; those after them are not read.
+
+    An array whose last axis has its numbers, in this order:
 
         vertices[0].x: coordinate
         vertices[0].y: coordinate
@@ -504,7 +856,7 @@ class ConvexPolygon5(Shape):
         vertices[3].y: coordinate
         vertices[4].x: coordinate
         vertices[4].y: coordinate
-        codes[0]: whole number
+        codes[0]: how many vertices count, a whole number
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
@@ -513,7 +865,10 @@ class ConvexPolygon5(Shape):
     def codes(self) -> list[Any]: ...
 
 class ConvexPolygon6(Shape):
-    """ConvexPolygon6: an array whose last axis has its numbers, in this order.
+    """A convex polygon of up to 6 vertices, in counter-clockwise order. The last number is how many
+    vertices count; those after them are not read.
+
+    An array whose last axis has its numbers, in this order:
 
         vertices[0].x: coordinate
         vertices[0].y: coordinate
@@ -527,7 +882,7 @@ class ConvexPolygon6(Shape):
         vertices[4].y: coordinate
         vertices[5].x: coordinate
         vertices[5].y: coordinate
-        codes[0]: whole number
+        codes[0]: how many vertices count, a whole number
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
@@ -535,8 +890,26 @@ class ConvexPolygon6(Shape):
     @property
     def codes(self) -> list[Any]: ...
 
+class Cxcywh(Shape):
+    """Cxcywh.
+
+    An array whose last axis has its numbers, in this order:
+
+        center.x: coordinate
+        center.y: coordinate
+        size.x: length, at least 0
+        size.y: length, at least 0
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def center(self) -> Vec2: ...
+    @property
+    def size(self) -> Vec2: ...
+
 class Cylinder(Shape):
-    """Cylinder: an array whose last axis has its numbers, in this order.
+    """A cylinder around the segment from the middle of one end to that of the other, which differ.
+
+    An array whose last axis has its numbers, in this order:
 
         start.x: coordinate, not all parts 0
         start.y: coordinate, not all parts 0
@@ -555,13 +928,16 @@ class Cylinder(Shape):
     def radius(self) -> Any: ...
 
 class Detectron2Box(Shape):
-    """Detectron2Box: an array whose last axis has its numbers, in this order.
+    """detectron2's RotatedBoxes: a rotated box in an image, where y points down, with an angle in degrees
+    that grows counter-clockwise to the viewer.
+
+    An array whose last axis has its numbers, in this order:
 
         center.x: coordinate
         center.y: coordinate
         size.x: length, at least 0
         size.y: length, at least 0
-        heading.value: number
+        heading.value: angle in degrees
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
@@ -572,16 +948,20 @@ class Detectron2Box(Shape):
     def heading(self) -> Any: ...
 
 class Exponent(Shape):
-    """Exponent: an array whose last axis has its numbers, in this order.
+    """The power of alpha_iou, above 0.
 
-        alpha: number, above 0
+    An array whose last axis has its numbers, in this order:
+
+        alpha: power, above 0
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
     def alpha(self) -> Any: ...
 
 class Fisheye(Shape):
-    """Fisheye: an array whose last axis has its numbers, in this order.
+    """A fisheye camera of Kannala and Brandt, with k1 to k4 of OpenCV's fisheye model.
+
+    An array whose last axis has its numbers, in this order:
 
         pinhole.fx: length, above 0
         pinhole.fy: length, above 0
@@ -599,14 +979,16 @@ class Fisheye(Shape):
     def radial(self) -> list[Any]: ...
 
 class Hit(Shape):
-    """Hit: an array whose last axis has its numbers, in this order.
+    """The first point of a ray on the border of a shape, and the normal there, out of the shape.
 
-        parameter: number
+    An array whose last axis has its numbers, in this order:
+
+        parameter: distance in lengths of the direction; the largest finite number for a miss
         point.x: coordinate
         point.y: coordinate
         normal.x: coordinate
         normal.y: coordinate
-        kind: number
+        kind: 0 for a miss, 1 for a hit from outside, 2 from inside, where the ray leaves
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
@@ -619,16 +1001,18 @@ class Hit(Shape):
     def kind(self) -> Any: ...
 
 class Hit3(Shape):
-    """Hit3: an array whose last axis has its numbers, in this order.
+    """The first point of a ray on the border of a shape of space, and the normal there, out of the shape.
 
-        parameter: number
+    An array whose last axis has its numbers, in this order:
+
+        parameter: distance in lengths of the direction; the largest finite number for a miss
         point.x: coordinate
         point.y: coordinate
         point.z: coordinate
         normal.x: part of a direction
         normal.y: part of a direction
         normal.z: part of a direction
-        kind: number
+        kind: 0 for a miss, 1 for a hit from outside, 2 from inside, where the ray leaves
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
@@ -641,7 +1025,11 @@ class Hit3(Shape):
     def kind(self) -> Any: ...
 
 class ImageBox(Shape):
-    """ImageBox: an array whose last axis has its numbers, in this order.
+    """A rotated box in an image, where y points down. The angle turns from x towards y, clockwise to the
+    viewer; the width lies along it. As Obb2 it is the box in a frame with y upwards; read with y
+    downwards both have the same numbers.
+
+    An array whose last axis has its numbers, in this order:
 
         center.x: coordinate
         center.y: coordinate
@@ -658,7 +1046,9 @@ class ImageBox(Shape):
     def heading(self) -> Any: ...
 
 class Interval(Shape):
-    """Interval: an array whose last axis has its numbers, in this order.
+    """An interval of numbers.
+
+    An array whose last axis has its numbers, in this order:
 
         min: length, at most max
         max: length, at least min
@@ -670,7 +1060,10 @@ class Interval(Shape):
     def max(self) -> Any: ...
 
 class KittiBox(Shape):
-    """KittiBox: an array whose last axis has its numbers, in this order.
+    """A box of KITTI's labels, in the frame of a camera: x to the right, y down, z ahead. The location is
+    the middle of the bottom face; rotation_y turns about the y axis and is 0 for travel to the right.
+
+    An array whose last axis has its numbers, in this order:
 
         height: length, at least 0
         width: length, at least 0
@@ -693,7 +1086,11 @@ class KittiBox(Shape):
     def rotation_y(self) -> Any: ...
 
 class Le135(Shape):
-    """Le135: an array whose last axis has its numbers, in this order.
+    """mmrotate's le135, a rotated box in an image, where y points down. The angle turns from x towards y,
+    clockwise to the viewer; the width lies along it. The width is the longer side, the angle in [-pi/4,
+    3 pi/4).
+
+    An array whose last axis has its numbers, in this order:
 
         center.x: coordinate
         center.y: coordinate
@@ -710,7 +1107,11 @@ class Le135(Shape):
     def heading(self) -> Any: ...
 
 class Le90(Shape):
-    """Le90: an array whose last axis has its numbers, in this order.
+    """mmrotate's le90, a rotated box in an image, where y points down. The angle turns from x towards y,
+    clockwise to the viewer; the width lies along it. The width is the longer side, the angle in [-pi/2,
+    pi/2).
+
+    An array whose last axis has its numbers, in this order:
 
         center.x: coordinate
         center.y: coordinate
@@ -727,7 +1128,10 @@ class Le90(Shape):
     def heading(self) -> Any: ...
 
 class LidarBox(Shape):
-    """LidarBox: an array whose last axis has its numbers, in this order.
+    """A box of OpenPCDet: the centre, length, width, height, and the heading about the z axis, which
+    points up: counter-clockwise seen from above, 0 for travel along x.
+
+    An array whose last axis has its numbers, in this order:
 
         center.x: coordinate
         center.y: coordinate
@@ -746,7 +1150,9 @@ class LidarBox(Shape):
     def heading(self) -> Any: ...
 
 class Line2(Shape):
-    """Line2: an array whose last axis has its numbers, in this order.
+    """A line of the plane: a point of it, and a direction of any length.
+
+    An array whose last axis has its numbers, in this order:
 
         point.x: coordinate
         point.y: coordinate
@@ -760,7 +1166,9 @@ class Line2(Shape):
     def direction(self) -> Vec2: ...
 
 class Line3(Shape):
-    """Line3: an array whose last axis has its numbers, in this order.
+    """A line of space: a point of it, and a direction of any length.
+
+    An array whose last axis has its numbers, in this order:
 
         point.x: coordinate
         point.y: coordinate
@@ -776,7 +1184,10 @@ class Line3(Shape):
     def direction(self) -> Vec3: ...
 
 class NuScenesBox(Shape):
-    """NuScenesBox: an array whose last axis has its numbers, in this order.
+    """A box of nuScenes: the centre, width, length, height, and the rotation as a quaternion (w, x, y, z)
+    of any length; the direction of travel is its own x axis.
+
+    An array whose last axis has its numbers, in this order:
 
         translation.x: coordinate
         translation.y: coordinate
@@ -802,7 +1213,11 @@ class NuScenesBox(Shape):
     def rotation(self) -> Any: ...
 
 class Obb2(Shape):
-    """Obb2: an array whose last axis has its numbers, in this order.
+    """A rotated box in the plane. The heading turns from x towards y: counter-clockwise where y points up,
+    clockwise in an image, where y points down. The width lies along the heading, the height across it.
+    detectron2's and torchvision's (cxcywhr) angle is -heading in degrees.
+
+    An array whose last axis has its numbers, in this order:
 
         x: coordinate
         y: coordinate
@@ -823,7 +1238,10 @@ class Obb2(Shape):
     def heading(self) -> Any: ...
 
 class Obb3(Shape):
-    """Obb3: an array whose last axis has its numbers, in this order.
+    """A box in space of any orientation: centre, sizes along its own axes, and the quaternion (w, x, y,
+    z), of any length, that turns the axes of space to its own.
+
+    An array whose last axis has its numbers, in this order:
 
         x: coordinate
         y: coordinate
@@ -859,7 +1277,11 @@ class Obb3(Shape):
     def qz(self) -> Any: ...
 
 class OpenCvBox(Shape):
-    """OpenCvBox: an array whose last axis has its numbers, in this order.
+    """The box of OpenCV's minAreaRect since 4.5.1, but in radians: a rotated box in an image, where y
+    points down. The angle turns from x towards y, clockwise to the viewer; the width lies along it.
+    Either side may be the longer one; the angle is in (0, pi/2].
+
+    An array whose last axis has its numbers, in this order:
 
         center.x: coordinate
         center.y: coordinate
@@ -876,7 +1298,9 @@ class OpenCvBox(Shape):
     def heading(self) -> Any: ...
 
 class Pinhole(Shape):
-    """Pinhole: an array whose last axis has its numbers, in this order.
+    """A camera without distortion: focal lengths and the principal point, in pixels.
+
+    An array whose last axis has its numbers, in this order:
 
         fx: length, above 0
         fy: length, above 0
@@ -894,7 +1318,10 @@ class Pinhole(Shape):
     def cy(self) -> Any: ...
 
 class Plane3(Shape):
-    """Plane3: an array whose last axis has its numbers, in this order.
+    """The plane of all points p with normal . p = offset, and the half-space behind it; the normal has any
+    length.
+
+    An array whose last axis has its numbers, in this order:
 
         normal.x: part of a direction, not all parts 0
         normal.y: part of a direction, not all parts 0
@@ -908,7 +1335,9 @@ class Plane3(Shape):
     def offset(self) -> Any: ...
 
 class PointPair(Shape):
-    """PointPair: an array whose last axis has its numbers, in this order.
+    """A point of each of two shapes.
+
+    An array whose last axis has its numbers, in this order:
 
         on_a.x: coordinate
         on_a.y: coordinate
@@ -922,7 +1351,9 @@ class PointPair(Shape):
     def on_b(self) -> Vec2: ...
 
 class PointPair3(Shape):
-    """PointPair3: an array whose last axis has its numbers, in this order.
+    """A point of each of two shapes of space.
+
+    An array whose last axis has its numbers, in this order:
 
         on_a.x: coordinate
         on_a.y: coordinate
@@ -938,7 +1369,9 @@ class PointPair3(Shape):
     def on_b(self) -> Vec3: ...
 
 class Pose2(Shape):
-    """Pose2: an array whose last axis has its numbers, in this order.
+    """A turn about the origin, by its cosine and sine, and then a shift.
+
+    An array whose last axis has its numbers, in this order:
 
         rotation.cos: part of a direction, not all parts 0
         rotation.sin: part of a direction, not all parts 0
@@ -951,8 +1384,29 @@ class Pose2(Shape):
     @property
     def translation(self) -> Vec2: ...
 
+class Pose3(Shape):
+    """Pose3.
+
+    An array whose last axis has its numbers, in this order:
+
+        rotation.w: part of a quaternion, not all parts 0
+        rotation.x: part of a quaternion, not all parts 0
+        rotation.y: part of a quaternion, not all parts 0
+        rotation.z: part of a quaternion, not all parts 0
+        translation.x: coordinate
+        translation.y: coordinate
+        translation.z: coordinate
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def rotation(self) -> Any: ...
+    @property
+    def translation(self) -> Vec3: ...
+
 class Ray2(Shape):
-    """Ray2: an array whose last axis has its numbers, in this order.
+    """Half a line of the plane: its start, and a direction of any length.
+
+    An array whose last axis has its numbers, in this order:
 
         point.x: coordinate
         point.y: coordinate
@@ -966,7 +1420,9 @@ class Ray2(Shape):
     def direction(self) -> Vec2: ...
 
 class Ray3(Shape):
-    """Ray3: an array whose last axis has its numbers, in this order.
+    """Half a line of space: its start, and a direction of any length.
+
+    An array whose last axis has its numbers, in this order:
 
         point.x: coordinate
         point.y: coordinate
@@ -982,7 +1438,9 @@ class Ray3(Shape):
     def direction(self) -> Vec3: ...
 
 class Rotation3(Shape):
-    """Rotation3: an array whose last axis has its numbers, in this order.
+    """A rotation of space: a quaternion of any length.
+
+    An array whose last axis has its numbers, in this order:
 
         w: part of a quaternion, not all parts 0
         x: part of a quaternion, not all parts 0
@@ -1000,7 +1458,9 @@ class Rotation3(Shape):
     def z(self) -> Any: ...
 
 class RoundBox3(Shape):
-    """RoundBox3: an array whose last axis has its numbers, in this order.
+    """All points at most a radius from a box of any orientation; see Obb3.
+
+    An array whose last axis has its numbers, in this order:
 
         x: coordinate
         y: coordinate
@@ -1039,7 +1499,9 @@ class RoundBox3(Shape):
     def radius(self) -> Any: ...
 
 class Segment2(Shape):
-    """Segment2: an array whose last axis has its numbers, in this order.
+    """A segment of the plane, from one end to the other.
+
+    An array whose last axis has its numbers, in this order:
 
         from.x: coordinate
         from.y: coordinate
@@ -1053,7 +1515,9 @@ class Segment2(Shape):
     def to(self) -> Vec2: ...
 
 class Segment3(Shape):
-    """Segment3: an array whose last axis has its numbers, in this order.
+    """A segment of space, from one end to the other.
+
+    An array whose last axis has its numbers, in this order:
 
         start.x: coordinate
         start.y: coordinate
@@ -1069,7 +1533,9 @@ class Segment3(Shape):
     def end(self) -> Vec3: ...
 
 class Sphere(Shape):
-    """Sphere: an array whose last axis has its numbers, in this order.
+    """A ball.
+
+    An array whose last axis has its numbers, in this order:
 
         x: coordinate
         y: coordinate
@@ -1087,7 +1553,9 @@ class Sphere(Shape):
     def radius(self) -> Any: ...
 
 class Symmetric3(Shape):
-    """Symmetric3: an array whose last axis has its numbers, in this order.
+    """A symmetric matrix of three rows.
+
+    An array whose last axis has its numbers, in this order:
 
         xx: number
         yy: number
@@ -1111,7 +1579,9 @@ class Symmetric3(Shape):
     def yz(self) -> Any: ...
 
 class Tetrahedron(Shape):
-    """Tetrahedron: an array whose last axis has its numbers, in this order.
+    """A tetrahedron.
+
+    An array whose last axis has its numbers, in this order:
 
         a.x: coordinate
         a.y: coordinate
@@ -1137,7 +1607,9 @@ class Tetrahedron(Shape):
     def d(self) -> Vec3: ...
 
 class Triangle2(Shape):
-    """Triangle2: an array whose last axis has its numbers, in this order.
+    """A triangle of the plane, by its corners in any order.
+
+    An array whose last axis has its numbers, in this order:
 
         a.x: coordinate
         a.y: coordinate
@@ -1155,7 +1627,9 @@ class Triangle2(Shape):
     def c(self) -> Vec2: ...
 
 class Triangle3(Shape):
-    """Triangle3: an array whose last axis has its numbers, in this order.
+    """A triangle of space.
+
+    An array whose last axis has its numbers, in this order:
 
         a.x: coordinate
         a.y: coordinate
@@ -1176,7 +1650,9 @@ class Triangle3(Shape):
     def c(self) -> Vec3: ...
 
 class Vec2(Shape):
-    """Vec2: an array whose last axis has its numbers, in this order.
+    """A point of the plane, or a vector.
+
+    An array whose last axis has its numbers, in this order:
 
         x: coordinate
         y: coordinate
@@ -1186,9 +1662,19 @@ class Vec2(Shape):
     def x(self) -> Any: ...
     @property
     def y(self) -> Any: ...
+    def __add__(self, other: Vec2) -> Vec2: ...
+    def __sub__(self, other: Vec2) -> Vec2: ...
+    def __mul__(self, factor: Any) -> Vec2: ...
+    def __rmul__(self, factor: Any) -> Vec2: ...
+    def __truediv__(self, factor: Any) -> Vec2: ...
+    def __neg__(self) -> Vec2: ...
+    def dot(self, other: Vec2) -> Any: ...
+    def length(self) -> Any: ...
 
 class Vec2x4(Shape):
-    """Vec2x4: an array whose last axis has its numbers, in this order.
+    """A quadrilateral: its corners one after another, either way round.
+
+    An array whose last axis has its numbers, in this order:
 
         [0].x: coordinate
         [0].y: coordinate
@@ -1204,7 +1690,9 @@ class Vec2x4(Shape):
     def items(self) -> list[Any]: ...
 
 class Vec3(Shape):
-    """Vec3: an array whose last axis has its numbers, in this order.
+    """A point of space, or a vector.
+
+    An array whose last axis has its numbers, in this order:
 
         x: coordinate
         y: coordinate
@@ -1217,9 +1705,70 @@ class Vec3(Shape):
     def y(self) -> Any: ...
     @property
     def z(self) -> Any: ...
+    def __add__(self, other: Vec3) -> Vec3: ...
+    def __sub__(self, other: Vec3) -> Vec3: ...
+    def __mul__(self, factor: Any) -> Vec3: ...
+    def __rmul__(self, factor: Any) -> Vec3: ...
+    def __truediv__(self, factor: Any) -> Vec3: ...
+    def __neg__(self) -> Vec3: ...
+    def dot(self, other: Vec3) -> Any: ...
+    def length(self) -> Any: ...
+
+class Vec3x2(Shape):
+    """Vec3x2.
+
+    An array whose last axis has its numbers, in this order:
+
+        [0].x: coordinate
+        [0].y: coordinate
+        [0].z: coordinate
+        [1].x: coordinate
+        [1].y: coordinate
+        [1].z: coordinate
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def items(self) -> list[Any]: ...
+
+class Vec3x3(Shape):
+    """Vec3x3.
+
+    An array whose last axis has its numbers, in this order:
+
+        [0].x: coordinate
+        [0].y: coordinate
+        [0].z: coordinate
+        [1].x: coordinate
+        [1].y: coordinate
+        [1].z: coordinate
+        [2].x: coordinate
+        [2].y: coordinate
+        [2].z: coordinate
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def items(self) -> list[Any]: ...
+
+class Xywh(Shape):
+    """Xywh.
+
+    An array whose last axis has its numbers, in this order:
+
+        min.x: coordinate
+        min.y: coordinate
+        size.x: length, at least 0
+        size.y: length, at least 0
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def min(self) -> Vec2: ...
+    @property
+    def size(self) -> Vec2: ...
 
 class Xyxyr(Shape):
-    """Xyxyr: an array whose last axis has its numbers, in this order.
+    """The bounds of a box before it is turned about its centre, and the angle, from x towards y.
+
+    An array whose last axis has its numbers, in this order:
 
         min.x: coordinate, at most max.x
         min.y: coordinate, at most max.y
@@ -1236,7 +1785,10 @@ class Xyxyr(Shape):
     def heading(self) -> Any: ...
 
 class YawBox3(Shape):
-    """YawBox3: an array whose last axis has its numbers, in this order.
+    """An upright box in space: centre, sizes along its own axes (length, width, height), and the heading
+    about the z axis, which points up: counter-clockwise seen from above.
+
+    An array whose last axis has its numbers, in this order:
 
         x: coordinate
         y: coordinate
@@ -1262,6 +1814,34 @@ class YawBox3(Shape):
     @property
     def heading(self) -> Any: ...
 
+class _adjoint(Verb):
+    """A twist, turn and shift, of frame b in frame a, by the pose a_from_b: the adjoint.
+
+    Rows:
+        adjoint(pose: Pose3, turn: Vec3, shift: Vec3) -> Vec3, Vec3
+    """
+    @overload
+    def __call__(self, pose: Pose3, turn: Vec3, shift: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
+
+adjoint: _adjoint
+
+class _adjoint_transposed(Verb):
+    """A moment and a force of frame a in frame b, by the pose a_from_b: the transposed adjoint.
+
+    Rows:
+        adjoint_transposed(pose: Pose3, moment: Vec3, force: Vec3) -> Vec3, Vec3
+    """
+    @overload
+    def __call__(self, pose: Pose3, moment: Vec3, force: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
+
+adjoint_transposed: _adjoint_transposed
+
 class _alpha_iou(Verb):
     """The IoU of two axis-aligned boxes to the power three, its paper's choice.
 
@@ -1284,6 +1864,7 @@ class _alpha_iou(Verb):
     def __call__(self, a: Obb2, b: Obb2, power: Exponent, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 alpha_iou: _alpha_iou
 
@@ -1301,29 +1882,77 @@ class _angle(Verb):
     def __call__(self, a: Vec3, b: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 angle: _angle
 
 class _area(Verb):
-    """The area of a triangle.
+    """The area of an axis-aligned box.
 
     Rows:
+        area(shape: Aabb2) -> number
+        area(shape: Capsule2) -> number
+            The area of a capsule.
+        area(shape: Circle) -> number
+            The area of a circle.
+        area(polygon: ConvexPolygon6) -> number
+            The area of a convex polygon of up to N vertices. Nothing is searched for.
+        area(shape: Obb2) -> number
+            The area of a rotated box.
         area(shape: Triangle2) -> number
+            The area of a triangle.
+        area(shape: Triangle3) -> number
+            The area of a triangle of space.
+        area(paths: ring) -> number
+            The area of a ring, whichever way it turns: the magnitude of its signed area.
+        area(polygons: Polygons) -> number
+            The area of polygons: holes do not count.
     """
+    @overload
+    def __call__(self, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, polygon: ConvexPolygon6, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, shape: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, shape: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, paths: Rings, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, polygons: Polygons, /) -> Array: ...
+    @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
 
 area: _area
 
+class _axes(Verb):
+    """The images of the axes of a rotation: the columns of its matrix.
+
+    Rows:
+        axes(rotation: Rotation3) -> Vec3x3
+    """
+    @overload
+    def __call__(self, rotation: Rotation3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3x3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
+
+axes: _axes
+
 class _bhattacharyya(Verb):
-    """The Bhattacharyya distance of two rotated boxes as Gaussians.
+    """The Bhattacharyya distance of two rotated boxes as Gaussians whose standard deviations are half the sizes.
 
     Rows:
         bhattacharyya(a: Obb2, b: Obb2) -> number
         bhattacharyya(a: Obb3, b: Obb3) -> number
-            The Bhattacharyya distance of two boxes of any orientation as Gaussians.
+            The Bhattacharyya distance of two boxes of any orientation as Gaussians whose standard deviations are half the sizes.
     """
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -1331,6 +1960,7 @@ class _bhattacharyya(Verb):
     def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 bhattacharyya: _bhattacharyya
 
@@ -1349,6 +1979,8 @@ class _centroid(Verb):
             The mean of points of space; zero without points.
         centroid(paths: ring) -> Vec2
             The centroid of the area of a ring; its value jumps where the area is zero.
+        centroid(polygons: Polygons) -> Vec2
+            The centroid of the area of polygons; the mean of the vertices where the area is zero.
     """
     @overload
     def __call__(self, shape: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3: ...
@@ -1359,26 +1991,29 @@ class _centroid(Verb):
     @overload
     def __call__(self, ring: Vec2x4, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2: ...
     @overload
-    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3: ...
+    def __call__(self, paths: Clouds, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3: ...
     @overload
-    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2: ...
+    def __call__(self, paths: Rings, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2: ...
+    @overload
+    def __call__(self, polygons: Polygons, /) -> Vec2: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
 
 centroid: _centroid
 
 class _ciou(Verb):
-    """The complete IoU of two axis-aligned boxes. By the box around both.
+    """The complete IoU of two axis-aligned boxes. It takes the axis-aligned box around both.
 
     Rows:
         ciou(a: Aabb2, b: Aabb2) -> number
         ciou(a: Aabb3, b: Aabb3) -> number
         ciou(a: Obb2, b: Obb2) -> number
-            The complete IoU of two rotated boxes. By the convex hull.
+            The complete IoU of two rotated boxes. It takes the convex hull of both.
         ciou(a: Obb3, b: Obb3) -> number
-            The complete IoU of two boxes of any orientation. By the smaller box around both along the axes of either.
+            The complete IoU of two boxes of any orientation. It takes the smaller box around both along the axes of either.
         ciou(a: YawBox3, b: YawBox3) -> number
-            The complete IoU of two upright boxes. By the convex hull of the grounds times the height of both.
+            The complete IoU of two upright boxes. It takes the convex hull of the grounds times the height of both.
     """
     @overload
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -1392,6 +2027,7 @@ class _ciou(Verb):
     def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 ciou: _ciou
 
@@ -1413,6 +2049,7 @@ class _ciou_aabb(Verb):
     def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 ciou_aabb: _ciou_aabb
 
@@ -1430,6 +2067,7 @@ class _ciou_fixed_weight(Verb):
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 ciou_fixed_weight: _ciou_fixed_weight
 
@@ -1443,6 +2081,7 @@ class _ciou_hull(Verb):
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 ciou_hull: _ciou_hull
 
@@ -1456,6 +2095,7 @@ class _ciou_rectangle(Verb):
     def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 ciou_rectangle: _ciou_rectangle
 
@@ -1469,6 +2109,7 @@ class _circumcircle(Verb):
     def __call__(self, a: Vec2, b: Vec2, c: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Circle: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 circumcircle: _circumcircle
 
@@ -1561,14 +2202,21 @@ class _closest_points(Verb):
     def __call__(self, point: Vec3, triangle: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 closest_points: _closest_points
 
 class _convert(Verb):
-    """The image's box of detectron2's box.
+    """YOLO's box of an axis-aligned box.
 
     Rows:
+        convert(shape: Aabb2) -> Cxcywh
+        convert(shape: Aabb2) -> Xywh
+            COCO's box of an axis-aligned box.
+        convert(shape: Cxcywh) -> Aabb2
+            The axis-aligned box of YOLO's box.
         convert(shape: Detectron2Box) -> ImageBox
+            The image's box of detectron2's box.
         convert(shape: ImageBox) -> Detectron2Box
             detectron2's box of an image's box.
         convert(shape: ImageBox) -> Le135
@@ -1579,31 +2227,53 @@ class _convert(Verb):
             OpenCV's box of an image's box.
         convert(shape: KittiBox) -> YawBox3
             The upright box of KITTI's box.
+        convert(shape: Le135) -> ImageBox
+            The image's box of mmrotate's box (le135).
+        convert(shape: Le90) -> ImageBox
+            The image's box of mmrotate's box (le90).
         convert(shape: LidarBox) -> YawBox3
             The upright box of OpenPCDet's box.
         convert(shape: NuScenesBox) -> Obb3
             The box of any orientation of nuScenes' box.
         convert(shape: Obb2) -> Xyxyr
             The bounds before turning, and the angle, of a rotated box.
+        convert(shape: Obb3) -> NuScenesBox
+            nuScenes' box of a box of any orientation.
+        convert(shape: OpenCvBox) -> ImageBox
+            The image's box of OpenCV's box.
+        convert(shape: Xywh) -> Aabb2
+            The axis-aligned box of COCO's box.
         convert(shape: Xyxyr) -> Obb2
             The rotated box of bounds before turning, and the angle.
         convert(shape: YawBox3) -> KittiBox
             KITTI's box of an upright box.
+        convert(shape: YawBox3) -> LidarBox
+            OpenPCDet's box of an upright box.
         convert(shape: YawBox3) -> Obb3
             The box of any orientation of an upright box.
     """
     @overload
+    def __call__(self, shape: Aabb2, /, *, kind: None = ..., to: Union[Type[Cxcywh], Literal["Cxcywh"]], out: Out = ..., backend: Backend = ...) -> Cxcywh: ...
+    @overload
+    def __call__(self, shape: Aabb2, /, *, kind: None = ..., to: Union[Type[Xywh], Literal["Xywh"]], out: Out = ..., backend: Backend = ...) -> Xywh: ...
+    @overload
+    def __call__(self, shape: Cxcywh, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Aabb2: ...
+    @overload
     def __call__(self, shape: Detectron2Box, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> ImageBox: ...
     @overload
-    def __call__(self, shape: ImageBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Detectron2Box: ...
+    def __call__(self, shape: ImageBox, /, *, kind: None = ..., to: Union[Type[Detectron2Box], Literal["Detectron2Box"]], out: Out = ..., backend: Backend = ...) -> Detectron2Box: ...
     @overload
-    def __call__(self, shape: ImageBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Le135: ...
+    def __call__(self, shape: ImageBox, /, *, kind: None = ..., to: Union[Type[Le135], Literal["Le135"]], out: Out = ..., backend: Backend = ...) -> Le135: ...
     @overload
-    def __call__(self, shape: ImageBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Le90: ...
+    def __call__(self, shape: ImageBox, /, *, kind: None = ..., to: Union[Type[Le90], Literal["Le90"]], out: Out = ..., backend: Backend = ...) -> Le90: ...
     @overload
-    def __call__(self, shape: ImageBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> OpenCvBox: ...
+    def __call__(self, shape: ImageBox, /, *, kind: None = ..., to: Union[Type[OpenCvBox], Literal["OpenCvBox"]], out: Out = ..., backend: Backend = ...) -> OpenCvBox: ...
     @overload
     def __call__(self, shape: KittiBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> YawBox3: ...
+    @overload
+    def __call__(self, shape: Le135, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> ImageBox: ...
+    @overload
+    def __call__(self, shape: Le90, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> ImageBox: ...
     @overload
     def __call__(self, shape: LidarBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> YawBox3: ...
     @overload
@@ -1611,13 +2281,22 @@ class _convert(Verb):
     @overload
     def __call__(self, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Xyxyr: ...
     @overload
+    def __call__(self, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> NuScenesBox: ...
+    @overload
+    def __call__(self, shape: OpenCvBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> ImageBox: ...
+    @overload
+    def __call__(self, shape: Xywh, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Aabb2: ...
+    @overload
     def __call__(self, shape: Xyxyr, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb2: ...
     @overload
-    def __call__(self, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> KittiBox: ...
+    def __call__(self, shape: YawBox3, /, *, kind: None = ..., to: Union[Type[KittiBox], Literal["KittiBox"]], out: Out = ..., backend: Backend = ...) -> KittiBox: ...
     @overload
-    def __call__(self, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb3: ...
+    def __call__(self, shape: YawBox3, /, *, kind: None = ..., to: Union[Type[LidarBox], Literal["LidarBox"]], out: Out = ..., backend: Backend = ...) -> LidarBox: ...
+    @overload
+    def __call__(self, shape: YawBox3, /, *, kind: None = ..., to: Union[Type[Obb3], Literal["Obb3"]], out: Out = ..., backend: Backend = ...) -> Obb3: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
 
 convert: _convert
 
@@ -1631,6 +2310,7 @@ class _corners(Verb):
     def __call__(self, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2x4: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
 
 corners: _corners
 
@@ -1652,6 +2332,7 @@ class _crossing(Verb):
     def __call__(self, a: Plane3, b: Plane3, c: Plane3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> CommonPoint3: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 crossing: _crossing
 
@@ -1664,15 +2345,20 @@ class _depth(Verb):
             The depth of a point and a rotated box, positive inside.
         depth(point: Vec2, paths: ring) -> number
             How far a point is inside a ring by the even-odd rule, negative outside. Without edges it is minus the largest finite number.
+        depth(point: Vec2, polygons: Polygons) -> number
+            The distance of points from the border of polygons: positive inside, negative outside.
     """
     @overload
     def __call__(self, point: Vec2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
-    def __call__(self, point: Vec2, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    def __call__(self, point: Vec2, paths: Rings, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Union[Vec2, Array], polygons: Polygons, /) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 depth: _depth
 
@@ -1681,28 +2367,33 @@ class _diameter(Verb):
 
     Rows:
         diameter(polygon: ConvexPolygon6) -> number
+        diameter(points: Paths or Polygons) -> number
+            The largest distance of two points of each set; NaN for a set without points.
     """
     @overload
     def __call__(self, polygon: ConvexPolygon6, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, points: Union[Paths, Polygons], /) -> Array: ...
+    @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
 
 diameter: _diameter
 
 class _diou(Verb):
-    """The distance IoU of two axis-aligned boxes. By the box around both.
+    """The distance IoU of two axis-aligned boxes. It takes the axis-aligned box around both.
 
     Rows:
         diou(a: Aabb2, b: Aabb2) -> number
         diou(a: Aabb3, b: Aabb3) -> number
         diou(a: ConvexPolygon5, b: ConvexPolygon5) -> number
-            The distance IoU of two convex polygons of up to N vertices. Its record says which of them are farthest apart.
+            The distance IoU of two convex polygons of up to N vertices. It takes the diameter of both together.
         diou(a: Obb2, b: Obb2) -> number
-            The distance IoU of two rotated boxes. By the convex hull.
+            The distance IoU of two rotated boxes. It takes the convex hull of both.
         diou(a: Obb3, b: Obb3) -> number
-            The distance IoU of two boxes of any orientation. By the smaller box around both along the axes of either.
+            The distance IoU of two boxes of any orientation. It takes the smaller box around both along the axes of either.
         diou(a: YawBox3, b: YawBox3) -> number
-            The distance IoU of two upright boxes. By the convex hull of the grounds times the height of both.
+            The distance IoU of two upright boxes. It takes the convex hull of the grounds times the height of both.
     """
     @overload
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -1718,6 +2409,7 @@ class _diou(Verb):
     def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 diou: _diou
 
@@ -1739,6 +2431,7 @@ class _diou_aabb(Verb):
     def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 diou_aabb: _diou_aabb
 
@@ -1752,6 +2445,7 @@ class _diou_hull(Verb):
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 diou_hull: _diou_hull
 
@@ -1765,6 +2459,7 @@ class _diou_rectangle(Verb):
     def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 diou_rectangle: _diou_rectangle
 
@@ -1936,6 +2631,8 @@ class _distance(Verb):
             The distance of a number and an interval.
         distance(a: number, b: number) -> number
             The distance of two numbers.
+        distance(point: Vec2, polygons: Polygons) -> number
+            The distance of points from the area of polygons: 0 inside, with derivative zero.
     """
     @overload
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -2066,9 +2763,9 @@ class _distance(Verb):
     @overload
     def __call__(self, a: Vec2, b: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
-    def __call__(self, point: Vec2, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    def __call__(self, point: Vec2, paths: Polylines, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
-    def __call__(self, point: Vec2, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    def __call__(self, point: Vec2, paths: Rings, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec3, shape: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -2096,7 +2793,7 @@ class _distance(Verb):
     @overload
     def __call__(self, point: Vec3, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
-    def __call__(self, point: Vec3, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    def __call__(self, point: Vec3, paths: Polylines, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, shape: YawBox3, point: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -2104,22 +2801,25 @@ class _distance(Verb):
     @overload
     def __call__(self, a: ArrayLike, b: ArrayLike, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, point: Union[Vec2, Array], polygons: Polygons, /) -> Array: ...
+    @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 distance: _distance
 
 class _eiou(Verb):
-    """The efficient IoU of two axis-aligned boxes. By the box around both.
+    """The efficient IoU of two axis-aligned boxes. It takes the axis-aligned box around both.
 
     Rows:
         eiou(a: Aabb2, b: Aabb2) -> number
         eiou(a: Aabb3, b: Aabb3) -> number
         eiou(a: Obb2, b: Obb2) -> number
-            The efficient IoU of two rotated boxes. By the convex hull.
+            The efficient IoU of two rotated boxes. It takes the convex hull of both.
         eiou(a: Obb3, b: Obb3) -> number
-            The efficient IoU of two boxes of any orientation. By the smaller box around both along the axes of either.
+            The efficient IoU of two boxes of any orientation. It takes the smaller box around both along the axes of either.
         eiou(a: YawBox3, b: YawBox3) -> number
-            The efficient IoU of two upright boxes. By the convex hull of the grounds times the height of both.
+            The efficient IoU of two upright boxes. It takes the convex hull of the grounds times the height of both.
     """
     @overload
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -2133,6 +2833,7 @@ class _eiou(Verb):
     def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 eiou: _eiou
 
@@ -2154,6 +2855,7 @@ class _eiou_aabb(Verb):
     def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 eiou_aabb: _eiou_aabb
 
@@ -2167,6 +2869,7 @@ class _eiou_hull(Verb):
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 eiou_hull: _eiou_hull
 
@@ -2180,6 +2883,7 @@ class _eiou_rectangle(Verb):
     def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 eiou_rectangle: _eiou_rectangle
 
@@ -2228,6 +2932,7 @@ class _farthest_distance(Verb):
     def __call__(self, point: Vec3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 farthest_distance: _farthest_distance
 
@@ -2305,6 +3010,7 @@ class _first_hit(Verb):
     def __call__(self, segment: Segment3, triangle: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit3: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 first_hit: _first_hit
 
@@ -2313,28 +3019,75 @@ class _flip_y(Verb):
 
     Rows:
         flip_y(shape: ImageBox, image_height: number) -> Obb2
+        flip_y(shape: Obb2, image_height: number) -> ImageBox
+            An image's box of a box whose y points up, from the image's height.
     """
     @overload
     def __call__(self, shape: ImageBox, image_height: ArrayLike, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb2: ...
     @overload
+    def __call__(self, shape: Obb2, image_height: ArrayLike, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> ImageBox: ...
+    @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 flip_y: _flip_y
 
+class _from_6d(Verb):
+    """The rotation whose x axis is along the first vector and whose y axis is in the half plane of both.
+
+    Rows:
+        from_6d(columns: Vec3x2) -> Rotation3
+    """
+    @overload
+    def __call__(self, columns: Vec3x2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Rotation3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
+
+from_6d: _from_6d
+
+class _from_rotation_vector(Verb):
+    """The rotation of a rotation vector in radians: the exponential.
+
+    Rows:
+        from_rotation_vector(vector: Vec3) -> Rotation3
+    """
+    @overload
+    def __call__(self, vector: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Rotation3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
+
+from_rotation_vector: _from_rotation_vector
+
+class _from_twist(Verb):
+    """The pose after one unit of time at constant velocity, a screw, from turn and shift: the coupled exponential.
+
+    Rows:
+        from_twist(turn: Vec3, shift: Vec3) -> Pose3
+    """
+    @overload
+    def __call__(self, turn: Vec3, shift: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Pose3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
+
+from_twist: _from_twist
+
 class _giou(Verb):
-    """The generalised IoU of two axis-aligned boxes. By the box around both.
+    """The generalised IoU of two axis-aligned boxes. It takes the axis-aligned box around both.
 
     Rows:
         giou(a: Aabb2, b: Aabb2) -> number
         giou(a: Aabb3, b: Aabb3) -> number
         giou(a: ConvexPolygon5, b: ConvexPolygon5) -> number
-            The generalised IoU of two convex polygons of up to N vertices. Its record says which of them are on the hull.
+            The generalised IoU of two convex polygons of up to N vertices. It takes the convex hull of both.
         giou(a: Obb2, b: Obb2) -> number
-            The generalised IoU of two rotated boxes. By the convex hull.
+            The generalised IoU of two rotated boxes. It takes the convex hull of both.
         giou(a: Obb3, b: Obb3) -> number
-            The generalised IoU of two boxes of any orientation. By the smaller box around both along the axes of either.
+            The generalised IoU of two boxes of any orientation. It takes the smaller box around both along the axes of either.
         giou(a: YawBox3, b: YawBox3) -> number
-            The generalised IoU of two upright boxes. By the convex hull of the grounds times the height of both.
+            The generalised IoU of two upright boxes. It takes the convex hull of the grounds times the height of both.
     """
     @overload
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -2350,6 +3103,7 @@ class _giou(Verb):
     def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 giou: _giou
 
@@ -2371,6 +3125,7 @@ class _giou_aabb(Verb):
     def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 giou_aabb: _giou_aabb
 
@@ -2384,6 +3139,7 @@ class _giou_hull(Verb):
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 giou_hull: _giou_hull
 
@@ -2397,6 +3153,7 @@ class _giou_rectangle(Verb):
     def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 giou_rectangle: _giou_rectangle
 
@@ -2418,6 +3175,7 @@ class _hull_area(Verb):
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 hull_area: _hull_area
 
@@ -2431,6 +3189,7 @@ class _incircle(Verb):
     def __call__(self, shape: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Circle: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
 
 incircle: _incircle
 
@@ -2468,8 +3227,27 @@ class _inertia(Verb):
     def __call__(self, shape: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Symmetric3: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
 
 inertia: _inertia
+
+class _interpolate(Verb):
+    """The pose a share of the way to another one. It jumps at half turns.
+
+    Rows:
+        interpolate(a: Pose3, b: Pose3, share: number) -> Pose3
+        interpolate(a: Rotation3, b: Rotation3, share: number) -> Rotation3
+            The rotation a share of the way to another one, along the shorter arc. It jumps at half turns.
+    """
+    @overload
+    def __call__(self, a: Pose3, b: Pose3, share: ArrayLike, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Pose3: ...
+    @overload
+    def __call__(self, a: Rotation3, b: Rotation3, share: ArrayLike, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Rotation3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
+
+interpolate: _interpolate
 
 class _intersection_area(Verb):
     """Area that two axis-aligned boxes share.
@@ -2477,11 +3255,13 @@ class _intersection_area(Verb):
     Rows:
         intersection_area(a: Aabb2, b: Aabb2) -> number
         intersection_area(a: ConvexPolygon5, b: ConvexPolygon5) -> number
-            The area that two convex polygons of up to N vertices share. Nothing is searched for.
+            The area that two convex polygons of up to N vertices share.
         intersection_area(a: Obb2, b: Obb2) -> number
             Area that two rotated boxes share.
         intersection_area(a: Vec2x4, b: Vec2x4) -> number
             Area that two quadrilaterals share. Of either order, and convex.
+        intersection_area(a: Polygons, b: Polygons) -> number
+            The area that two polygons share.
     """
     @overload
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -2492,7 +3272,10 @@ class _intersection_area(Verb):
     @overload
     def __call__(self, a: Vec2x4, b: Vec2x4, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, a: Polygons, b: Polygons, /) -> Array: ...
+    @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 intersection_area: _intersection_area
 
@@ -2506,6 +3289,7 @@ class _intersection_length(Verb):
     def __call__(self, a: Interval, b: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 intersection_length: _intersection_length
 
@@ -2551,8 +3335,31 @@ class _intersection_volume(Verb):
     def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 intersection_volume: _intersection_volume
+
+class _inverse(Verb):
+    """The pose of the plane back. Its cosine and sine count by their direction alone.
+
+    Rows:
+        inverse(pose: Pose2) -> Pose2
+        inverse(pose: Pose3) -> Pose3
+            The pose that moves back.
+        inverse(rotation: Rotation3) -> Rotation3
+            The rotation that turns back.
+    """
+    @overload
+    def __call__(self, pose: Pose2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Pose2: ...
+    @overload
+    def __call__(self, pose: Pose3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Pose3: ...
+    @overload
+    def __call__(self, rotation: Rotation3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Rotation3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
+
+inverse: _inverse
 
 class _iof(Verb):
     """The part of the first of two axis-aligned boxes that lies in the second, 0 to 1.
@@ -2580,6 +3387,8 @@ class _iof(Verb):
             The part of the first of an upright box and a box of any orientation that lies in the second, 0 to 1.
         iof(a: YawBox3, b: YawBox3) -> number
             The part of the first of two upright boxes that lies in the second, 0 to 1.
+        iof(a: Polygons, b: Polygons) -> number
+            The part of the first polygon that lies in the second, 0 to 1.
     """
     @overload
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -2606,7 +3415,10 @@ class _iof(Verb):
     @overload
     def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, a: Polygons, b: Polygons, /) -> Array: ...
+    @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 iof: _iof
 
@@ -2638,6 +3450,8 @@ class _iou(Verb):
             Intersection over union of an upright box and a box of any orientation, 0 to 1.
         iou(a: YawBox3, b: YawBox3) -> number
             Intersection over union of two upright boxes, 0 to 1.
+        iou(a: Polygons, b: Polygons) -> number
+            Intersection over union of two polygons, 0 to 1.
     """
     @overload
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -2666,7 +3480,10 @@ class _iou(Verb):
     @overload
     def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, a: Polygons, b: Polygons, /) -> Array: ...
+    @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 iou: _iou
 
@@ -2680,16 +3497,17 @@ class _iou_bev(Verb):
     def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 iou_bev: _iou_bev
 
 class _jeffreys(Verb):
-    """The Jeffreys divergence of two rotated boxes as Gaussians.
+    """The Jeffreys divergence of two rotated boxes as Gaussians whose standard deviations are half the sizes: the sum of the Kullback-Leibler divergences both ways.
 
     Rows:
         jeffreys(a: Obb2, b: Obb2) -> number
         jeffreys(a: Obb3, b: Obb3) -> number
-            The Jeffreys divergence of two boxes of any orientation as Gaussians.
+            The Jeffreys divergence of two boxes of any orientation as Gaussians whose standard deviations are half the sizes: the sum of the Kullback-Leibler divergences both ways.
     """
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -2697,16 +3515,17 @@ class _jeffreys(Verb):
     def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 jeffreys: _jeffreys
 
 class _kfiou(Verb):
-    """The IoU by a Kalman filter of two rotated boxes as Gaussians.
+    """The IoU by a Kalman filter of two rotated boxes as Gaussians whose standard deviations are half the sizes. It is blind to centres and at most 1/3, in space 1/(2^2.5 - 1).
 
     Rows:
         kfiou(a: Obb2, b: Obb2) -> number
         kfiou(a: Obb3, b: Obb3) -> number
-            The IoU by a Kalman filter of two boxes of any orientation as Gaussians.
+            The IoU by a Kalman filter of two boxes of any orientation as Gaussians whose standard deviations are half the sizes. It is blind to centres and at most 1/3, in space 1/(2^2.5 - 1).
     """
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -2714,16 +3533,17 @@ class _kfiou(Verb):
     def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 kfiou: _kfiou
 
 class _kullback_leibler(Verb):
-    """The Kullback-Leibler divergence of two rotated boxes as Gaussians.
+    """The Kullback-Leibler divergence of two rotated boxes as Gaussians whose standard deviations are half the sizes, from the first one to the second one, whose covariance is inverted.
 
     Rows:
         kullback_leibler(a: Obb2, b: Obb2) -> number
         kullback_leibler(a: Obb3, b: Obb3) -> number
-            The Kullback-Leibler divergence of two boxes of any orientation as Gaussians.
+            The Kullback-Leibler divergence of two boxes of any orientation as Gaussians whose standard deviations are half the sizes, from the first one to the second one, whose covariance is inverted.
     """
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -2731,8 +3551,37 @@ class _kullback_leibler(Verb):
     def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 kullback_leibler: _kullback_leibler
+
+class _left_jacobian(Verb):
+    """The left Jacobian of the exponential at a rotation vector, column by column.
+
+    Rows:
+        left_jacobian(vector: Vec3) -> Vec3x3
+    """
+    @overload
+    def __call__(self, vector: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3x3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
+
+left_jacobian: _left_jacobian
+
+class _left_jacobian_inverse(Verb):
+    """The inverse of the left Jacobian at a rotation vector shorter than 2π, column by column.
+
+    Rows:
+        left_jacobian_inverse(vector: Vec3) -> Vec3x3
+    """
+    @overload
+    def __call__(self, vector: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3x3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
+
+left_jacobian_inverse: _left_jacobian_inverse
 
 class _length(Verb):
     """The length of a polyline: the sum of the distances of neighbouring vertices.
@@ -2741,13 +3590,16 @@ class _length(Verb):
         length(paths: polyline) -> number
         length(paths: polyline3) -> number
             The length of a polyline of space: the sum of the distances of neighbouring vertices. Edges of length zero have derivative zero.
+        length(polygons: Polygons) -> number
+            The perimeter of polygons, by its name in shapely.
     """
     @overload
-    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    def __call__(self, paths: Polylines, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
-    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    def __call__(self, polygons: Polygons, /) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
 
 length: _length
 
@@ -2817,6 +3669,7 @@ class _length_inside(Verb):
     def __call__(self, segment: Segment3, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 length_inside: _length_inside
 
@@ -2830,19 +3683,25 @@ class _meeting(Verb):
     def __call__(self, a: Segment2, b: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> CommonPart: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 meeting: _meeting
 
 class _minimum_circle(Verb):
-    """The smallest circle around a convex polygon of up to N vertices. Its record is what it goes through.
+    """The smallest circle around a convex polygon of up to N vertices.
 
     Rows:
         minimum_circle(polygon: ConvexPolygon6) -> Circle
+        minimum_circle(points: Paths or Polygons) -> Circle
+            The smallest circle around each set of points; NaN for a set without points.
     """
     @overload
     def __call__(self, polygon: ConvexPolygon6, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Circle: ...
     @overload
+    def __call__(self, points: Union[Paths, Polygons], /) -> Circle: ...
+    @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
 
 minimum_circle: _minimum_circle
 
@@ -2851,26 +3710,142 @@ class _minimum_rectangle(Verb):
 
     Rows:
         minimum_rectangle(polygon: ConvexPolygon6) -> Obb2
+        minimum_rectangle(points: Paths or Polygons) -> Obb2
+            The rectangle of least area around each set of points; NaN for points on a line.
     """
     @overload
     def __call__(self, polygon: ConvexPolygon6, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb2: ...
     @overload
+    def __call__(self, points: Union[Paths, Polygons], /) -> Obb2: ...
+    @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
 
 minimum_rectangle: _minimum_rectangle
 
 class _move(Verb):
-    """A segment, moved. The pose's cosine and sine count by their direction alone: the segment keeps its length.
+    """A capsule, moved by a pose.
 
     Rows:
+        move(pose: Pose2, shape: Capsule2) -> Capsule2
+        move(pose: Pose2, shape: Circle) -> Circle
+            A circle, moved by a pose.
+        move(pose: Pose2, shape: Line2) -> Line2
+            A line, moved by a pose.
+        move(pose: Pose2, shape: Obb2) -> Obb2
+            A rotated box, moved by a pose. The angle of the pose, of (−π, π, is added to its heading and jumps there.
+        move(pose: Pose2, shape: Pose2) -> Pose2
+            The pose that applies the second one first, then the first one.
+        move(pose: Pose2, shape: Ray2) -> Ray2
+            A ray, moved by a pose.
         move(pose: Pose2, segment: Segment2) -> Segment2
+            A segment, moved by a pose. The pose's cosine and sine count by their direction alone: the segment keeps its length.
+        move(pose: Pose2, shape: Triangle2) -> Triangle2
+            A triangle, moved by a pose.
+        move(pose: Pose2, shape: Vec2) -> Vec2
+            A point, moved by a pose.
+        move(pose: Pose3, shape: Capsule3) -> Capsule3
+            A capsule of space, moved by a pose.
+        move(pose: Pose3, shape: Cone) -> Cone
+            A cone, moved by a pose.
+        move(pose: Pose3, shape: Cylinder) -> Cylinder
+            A cylinder, moved by a pose.
+        move(pose: Pose3, shape: Line3) -> Line3
+            A line of space, moved by a pose.
+        move(pose: Pose3, shape: Obb3) -> Obb3
+            A box of any orientation, moved by a pose.
+        move(pose: Pose3, shape: Plane3) -> Plane3
+            A half-space, moved by a pose.
+        move(pose: Pose3, shape: Pose3) -> Pose3
+            The pose of space that applies the second one first, then the first one.
+        move(pose: Pose3, shape: Ray3) -> Ray3
+            A ray of space, moved by a pose.
+        move(pose: Pose3, shape: RoundBox3) -> RoundBox3
+            A box with round edges, moved by a pose.
+        move(pose: Pose3, shape: Segment3) -> Segment3
+            A segment of space, moved by a pose.
+        move(pose: Pose3, shape: Sphere) -> Sphere
+            A ball, moved by a pose.
+        move(pose: Pose3, shape: Tetrahedron) -> Tetrahedron
+            A tetrahedron, moved by a pose.
+        move(pose: Pose3, shape: Triangle3) -> Triangle3
+            A triangle of space, moved by a pose.
+        move(pose: Pose3, shape: Vec3) -> Vec3
+            A point, moved by a pose.
+        move(a: Rotation3, b: Rotation3) -> Rotation3
+            The rotation that turns by the second one first, then by the first one.
+        move(rotation: Rotation3, vector: Vec3) -> Vec3
+            A vector, turned.
     """
+    @overload
+    def __call__(self, pose: Pose2, shape: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Capsule2: ...
+    @overload
+    def __call__(self, pose: Pose2, shape: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Circle: ...
+    @overload
+    def __call__(self, pose: Pose2, shape: Line2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Line2: ...
+    @overload
+    def __call__(self, pose: Pose2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb2: ...
+    @overload
+    def __call__(self, pose: Pose2, shape: Pose2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Pose2: ...
+    @overload
+    def __call__(self, pose: Pose2, shape: Ray2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Ray2: ...
     @overload
     def __call__(self, pose: Pose2, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Segment2: ...
     @overload
+    def __call__(self, pose: Pose2, shape: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Triangle2: ...
+    @overload
+    def __call__(self, pose: Pose2, shape: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Capsule3: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Cone: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Cylinder: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Line3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Line3: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb3: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Plane3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Plane3: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Pose3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Pose3: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Ray3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Ray3: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> RoundBox3: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Segment3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Segment3: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Sphere: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Tetrahedron: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Triangle3: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3: ...
+    @overload
+    def __call__(self, a: Rotation3, b: Rotation3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Rotation3: ...
+    @overload
+    def __call__(self, rotation: Rotation3, vector: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3: ...
+    @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 move: _move
+
+class _nearest_rotation(Verb):
+    """The rotation with the smallest difference from a matrix, given by its columns: its nearest rotation. It jumps where several are nearest.
+
+    Rows:
+        nearest_rotation(columns: Vec3x3) -> Rotation3
+    """
+    @overload
+    def __call__(self, columns: Vec3x3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Rotation3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
+
+nearest_rotation: _nearest_rotation
 
 class _penetration(Verb):
     """The depth of overlap and its direction of two axis-aligned boxes. The direction jumps to another deepest face.
@@ -2933,37 +3908,55 @@ class _penetration(Verb):
     def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 penetration: _penetration
 
 class _perimeter(Verb):
-    """The perimeter of a triangle.
+    """The perimeter of a capsule.
 
     Rows:
+        perimeter(shape: Capsule2) -> number
+        perimeter(shape: Circle) -> number
+            The perimeter of a circle.
+        perimeter(polygon: ConvexPolygon6) -> number
+            The perimeter of a convex polygon of up to N vertices. Nothing is searched for.
         perimeter(shape: Triangle2) -> number
+            The perimeter of a triangle.
         perimeter(ring: Vec2x4) -> number
             The perimeter of four vertices.
         perimeter(paths: ring) -> number
             The perimeter of a ring.
+        perimeter(polygons: Polygons) -> number
+            The perimeter of polygons, that of their holes included.
     """
+    @overload
+    def __call__(self, shape: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, polygon: ConvexPolygon6, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, shape: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, ring: Vec2x4, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
-    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    def __call__(self, paths: Rings, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, polygons: Polygons, /) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
 
 perimeter: _perimeter
 
 class _probiou(Verb):
-    """The probabilistic IoU of two rotated boxes as Gaussians, 0 to 1.
+    """The probabilistic IoU of two rotated boxes as Gaussians of the variance of uniform boxes, size²/12: 0 to 1.
 
     Rows:
         probiou(a: Obb2, b: Obb2) -> number
         probiou(a: Obb3, b: Obb3) -> number
-            The probabilistic IoU of two boxes of any orientation as Gaussians, 0 to 1.
+            The probabilistic IoU of two boxes of any orientation as Gaussians of the variance of uniform boxes, size²/12: 0 to 1.
     """
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -2971,6 +3964,7 @@ class _probiou(Verb):
     def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 probiou: _probiou
 
@@ -2992,8 +3986,69 @@ class _project(Verb):
     def __call__(self, point: Vec3, camera: Pinhole, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 project: _project
+
+class _retract(Verb):
+    """The rotation after a small turn in the body's frame, a rotation vector in radians.
+
+    Rows:
+        retract(rotation: Rotation3, turn: Vec3) -> Rotation3
+        retract(pose: Pose3, turn: Vec3, shift: Vec3) -> Pose3
+            The pose after a small turn and shift in the body's own frame.
+    """
+    @overload
+    def __call__(self, rotation: Rotation3, turn: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Rotation3: ...
+    @overload
+    def __call__(self, pose: Pose3, turn: Vec3, shift: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Pose3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
+
+retract: _retract
+
+class _right_jacobian(Verb):
+    """The right Jacobian of the exponential at a rotation vector, column by column.
+
+    Rows:
+        right_jacobian(vector: Vec3) -> Vec3x3
+    """
+    @overload
+    def __call__(self, vector: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3x3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
+
+right_jacobian: _right_jacobian
+
+class _right_jacobian_inverse(Verb):
+    """The inverse of the right Jacobian at a rotation vector shorter than 2π, column by column.
+
+    Rows:
+        right_jacobian_inverse(vector: Vec3) -> Vec3x3
+    """
+    @overload
+    def __call__(self, vector: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3x3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
+
+right_jacobian_inverse: _right_jacobian_inverse
+
+class _rotation_vector(Verb):
+    """The rotation vector of a rotation, of length 0 to π radians: the logarithm. It jumps at half turns.
+
+    Rows:
+        rotation_vector(rotation: Rotation3) -> Vec3
+    """
+    @overload
+    def __call__(self, rotation: Rotation3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
+
+rotation_vector: _rotation_vector
 
 class _second_moments(Verb):
     """The covariance of points of space, divided by their number; zero without points.
@@ -3004,11 +4059,12 @@ class _second_moments(Verb):
             The second moments of a ring's area about its centroid.
     """
     @overload
-    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Symmetric3: ...
+    def __call__(self, paths: Clouds, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Symmetric3: ...
     @overload
-    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> AreaMoments: ...
+    def __call__(self, paths: Rings, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> AreaMoments: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
 
 second_moments: _second_moments
 
@@ -3034,6 +4090,7 @@ class _separation_aware(Verb):
     def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 separation_aware: _separation_aware
 
@@ -3052,9 +4109,10 @@ class _signed_area(Verb):
     @overload
     def __call__(self, ring: Vec2x4, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
-    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    def __call__(self, paths: Rings, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
 
 signed_area: _signed_area
 
@@ -3208,6 +4266,8 @@ class _signed_distance(Verb):
             The signed distance of a point and an upright box.
         signed_distance(shape: YawBox3, point: Vec3) -> number
             The signed distance of an upright box and a point.
+        signed_distance(point: Vec2, polygons: Polygons) -> number
+            The distance of points from the border of polygons: negative inside, positive outside.
     """
     @overload
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -3336,7 +4396,7 @@ class _signed_distance(Verb):
     @overload
     def __call__(self, point: Vec2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
-    def __call__(self, point: Vec2, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    def __call__(self, point: Vec2, paths: Rings, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec3, shape: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -3358,7 +4418,10 @@ class _signed_distance(Verb):
     @overload
     def __call__(self, shape: YawBox3, point: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, point: Union[Vec2, Array], polygons: Polygons, /) -> Array: ...
+    @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 signed_distance: _signed_distance
 
@@ -3416,8 +4479,23 @@ class _span(Verb):
     def __call__(self, line: Line3, solid: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Chord: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 span: _span
+
+class _squared_angle(Verb):
+    """The square of the angle between two rotations, in 0, π².
+
+    Rows:
+        squared_angle(a: Rotation3, b: Rotation3) -> number
+    """
+    @overload
+    def __call__(self, a: Rotation3, b: Rotation3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
+
+squared_angle: _squared_angle
 
 class _squared_distance(Verb):
     """The squared distance of two axis-aligned boxes.
@@ -3472,16 +4550,17 @@ class _squared_distance(Verb):
     def __call__(self, point: Vec3, triangle: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 squared_distance: _squared_distance
 
 class _squared_wasserstein(Verb):
-    """The squared Wasserstein distance of two rotated boxes as Gaussians.
+    """The squared Wasserstein distance of two rotated boxes as Gaussians whose standard deviations are half the sizes: the square of a length.
 
     Rows:
         squared_wasserstein(a: Obb2, b: Obb2) -> number
         squared_wasserstein(a: Obb3, b: Obb3) -> number
-            The squared Wasserstein distance of two boxes of any orientation as Gaussians.
+            The squared Wasserstein distance of two boxes of any orientation as Gaussians whose standard deviations are half the sizes: the square of a length.
     """
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -3489,23 +4568,34 @@ class _squared_wasserstein(Verb):
     def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 squared_wasserstein: _squared_wasserstein
 
 class _surface(Verb):
-    """The area of the surface of a capsule of space.
+    """The area of the surface of an axis-aligned box.
 
     Rows:
+        surface(shape: Aabb3) -> number
         surface(shape: Capsule3) -> number
+            The area of the surface of a capsule of space.
         surface(shape: Cone) -> number
             The area of the surface of a cone.
         surface(shape: Cylinder) -> number
             The area of the surface of a cylinder.
+        surface(shape: Obb3) -> number
+            The area of the surface of a box of any orientation.
         surface(shape: RoundBox3) -> number
             The area of the surface of a box with round edges.
+        surface(shape: Sphere) -> number
+            The area of the surface of a ball.
         surface(shape: Tetrahedron) -> number
             The area of the surface of a tetrahedron.
+        surface(shape: YawBox3) -> number
+            The area of the surface of an upright box.
     """
+    @overload
+    def __call__(self, shape: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, shape: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -3513,28 +4603,91 @@ class _surface(Verb):
     @overload
     def __call__(self, shape: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, shape: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
 
 surface: _surface
 
-class _volume(Verb):
-    """The volume of a capsule of space.
+class _tangent_to(Verb):
+    """The turn and the shift that lead to another pose: the inverse of retract. It jumps at half turns.
 
     Rows:
+        tangent_to(a: Pose3, b: Pose3) -> Vec3, Vec3
+        tangent_to(a: Rotation3, b: Rotation3) -> Vec3
+            The turn in the body's frame that leads to another rotation, a rotation vector in radians: the inverse of retract. It jumps at half turns.
+    """
+    @overload
+    def __call__(self, a: Pose3, b: Pose3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    @overload
+    def __call__(self, a: Rotation3, b: Rotation3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
+
+tangent_to: _tangent_to
+
+class _to_6d(Verb):
+    """The first two columns of a rotation's matrix: six coordinates without jumps.
+
+    Rows:
+        to_6d(rotation: Rotation3) -> Vec3x2
+    """
+    @overload
+    def __call__(self, rotation: Rotation3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3x2: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
+
+to_6d: _to_6d
+
+class _twist(Verb):
+    """The turn, of length 0 to π radians, and the shift of the screw to a pose: the coupled logarithm. It jumps at half turns.
+
+    Rows:
+        twist(pose: Pose3) -> Vec3, Vec3
+    """
+    @overload
+    def __call__(self, pose: Pose3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
+
+twist: _twist
+
+class _volume(Verb):
+    """The volume of an axis-aligned box.
+
+    Rows:
+        volume(shape: Aabb3) -> number
         volume(shape: Capsule3) -> number
+            The volume of a capsule of space.
         volume(shape: Cone) -> number
             The volume of a cone.
         volume(shape: Cylinder) -> number
             The volume of a cylinder.
+        volume(shape: Obb3) -> number
+            The volume of a box of any orientation.
         volume(shape: RoundBox3) -> number
             The volume of a box with round edges.
+        volume(shape: Sphere) -> number
+            The volume of a ball.
         volume(shape: Tetrahedron) -> number
             The volume of a tetrahedron.
+        volume(shape: YawBox3) -> number
+            The volume of an upright box.
     """
+    @overload
+    def __call__(self, shape: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, shape: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -3542,21 +4695,28 @@ class _volume(Verb):
     @overload
     def __call__(self, shape: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, shape: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
 
 volume: _volume
 
 class _wasserstein(Verb):
-    """The Wasserstein distance of two rotated boxes as Gaussians.
+    """The Wasserstein distance of two rotated boxes as Gaussians whose standard deviations are half the sizes: a length.
 
     Rows:
         wasserstein(a: Obb2, b: Obb2) -> number
         wasserstein(a: Obb3, b: Obb3) -> number
-            The Wasserstein distance of two boxes of any orientation as Gaussians.
+            The Wasserstein distance of two boxes of any orientation as Gaussians whose standard deviations are half the sizes: a length.
     """
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -3564,19 +4724,25 @@ class _wasserstein(Verb):
     def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 wasserstein: _wasserstein
 
 class _width(Verb):
-    """The width of a convex polygon of up to N vertices: the least distance of two parallel lines around it. Its record is what they touch.
+    """The width of a convex polygon of up to N vertices: the least distance of two parallel lines around it.
 
     Rows:
         width(polygon: ConvexPolygon6) -> number
+        width(points: Paths or Polygons) -> number
+            The least distance of two parallel lines around each set of points; NaN for a set without points.
     """
     @overload
     def __call__(self, polygon: ConvexPolygon6, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, points: Union[Paths, Polygons], /) -> Array: ...
+    @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
 
 width: _width
 
@@ -3587,8 +4753,65 @@ class _winding(Verb):
         winding(point: Vec2, paths: ring) -> number
     """
     @overload
-    def __call__(self, point: Vec2, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    def __call__(self, point: Vec2, paths: Rings, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 winding: _winding
+
+difference: _Overlay
+"""The points in the first of two polygons and not in the second.
+
+    One polygon may stand for all of the other column. ``fill`` says which points of an input are inside: ``"even_odd"``,
+    those that an odd number of rings enclose, or ``"nonzero"``. Inputs may cross themselves. Parts of the result run
+    counter-clockwise, holes clockwise.
+
+    The vertices of the result are exact to roundings, and have derivatives (``vjp``); edges of it may cross by a rounding
+    and parts may meet in points. With ``valid=True`` the result is valid by the OGC's rules, which GEOS and shapely require
+    of what they get: vertices are rounded to a grid of the format, within a step of the last digit of the largest
+    coordinate. That takes longer for polygons of many vertices.
+
+"""
+
+intersection: _Overlay
+"""The points in both of two polygons.
+
+    One polygon may stand for all of the other column. ``fill`` says which points of an input are inside: ``"even_odd"``,
+    those that an odd number of rings enclose, or ``"nonzero"``. Inputs may cross themselves. Parts of the result run
+    counter-clockwise, holes clockwise.
+
+    The vertices of the result are exact to roundings, and have derivatives (``vjp``); edges of it may cross by a rounding
+    and parts may meet in points. With ``valid=True`` the result is valid by the OGC's rules, which GEOS and shapely require
+    of what they get: vertices are rounded to a grid of the format, within a step of the last digit of the largest
+    coordinate. That takes longer for polygons of many vertices.
+
+"""
+
+symmetric_difference: _Overlay
+"""The points in exactly one of two polygons.
+
+    One polygon may stand for all of the other column. ``fill`` says which points of an input are inside: ``"even_odd"``,
+    those that an odd number of rings enclose, or ``"nonzero"``. Inputs may cross themselves. Parts of the result run
+    counter-clockwise, holes clockwise.
+
+    The vertices of the result are exact to roundings, and have derivatives (``vjp``); edges of it may cross by a rounding
+    and parts may meet in points. With ``valid=True`` the result is valid by the OGC's rules, which GEOS and shapely require
+    of what they get: vertices are rounded to a grid of the format, within a step of the last digit of the largest
+    coordinate. That takes longer for polygons of many vertices.
+
+"""
+
+union: _Overlay
+"""The points in either of two polygons.
+
+    One polygon may stand for all of the other column. ``fill`` says which points of an input are inside: ``"even_odd"``,
+    those that an odd number of rings enclose, or ``"nonzero"``. Inputs may cross themselves. Parts of the result run
+    counter-clockwise, holes clockwise.
+
+    The vertices of the result are exact to roundings, and have derivatives (``vjp``); edges of it may cross by a rounding
+    and parts may meet in points. With ``valid=True`` the result is valid by the OGC's rules, which GEOS and shapely require
+    of what they get: vertices are rounded to a grid of the format, within a step of the last digit of the largest
+    coordinate. That takes longer for polygons of many vertices.
+
+"""

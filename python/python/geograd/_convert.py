@@ -10,6 +10,11 @@ def numbers(x, name, kind):
     library = type(x).__module__.partition(".")[0]
     if library in ("pyarrow", "polars"):
         return numbers(_column(x, name), name, kind)
+    if library == "torch" and getattr(x, "requires_grad", False):
+        raise TypeError(
+            f"`{name}`: the tensor requires a gradient, which NumPy's arrays lose: call geograd.torch's verb of the same name, "
+            "or pass tensor.detach()"
+        )
     if isinstance(x, np.ma.MaskedArray):
         raise TypeError(f"`{name}`: masked arrays have rows without values; pass those that have: x.compressed() or x[~mask]")
     geometries = _geometries(x)
@@ -35,6 +40,9 @@ def numbers(x, name, kind):
 
 def _column(x, name):
     """The numbers of an Arrow column: lists of a fixed size, structs, or numbers."""
+    if hasattr(x, "columns"):
+        names = ", ".join(getattr(x, "column_names", x.columns))
+        raise TypeError(f"`{name}`: a column is needed, not a table of {names}; geograd.arrow.Apply takes tables")
     if hasattr(x, "to_arrow"):
         x = x.to_arrow()
     if hasattr(x, "combine_chunks"):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import functools
 import itertools
 import threading
@@ -46,6 +47,8 @@ def size(lead, width):
 
 def _flat(results):
     """Results in order, as arrays."""
+    if type(results) is np.ndarray:
+        return [results]
     if isinstance(results, tuple):
         return [array for part in results for array in _flat(part)]
     return [np.asarray(results)]
@@ -54,18 +57,17 @@ def _flat(results):
 class _Row:
     """A row of a verb."""
 
-    def __init__(self, verb, row):
-        self.verb, self.kinds = getattr(geograd, verb), tuple(row["kinds"])
+    def __init__(self, verb, row, to):
+        self.verb, self.kinds, self.to = getattr(geograd, verb), tuple(row["kinds"]), to
         self.takes = [(name, shape, width) for name, shape, width in row["takes"]]
         self.gives = [width for _, _, width in row["gives"]]
         self.is_tuple = len(self.gives) > 1
 
     def run(self, form, arrays):
-        form = getattr(self.verb, "aligned" if form == "value" else form)
-        return _flat(form(*arrays, kind=self.kinds))
+        return _flat(self.verb._run(form, tuple(arrays), self.kinds, self.to))
 
     def program(self, form, double):
-        return self.verb.program(kind=self.kinds, form=form, double=double)
+        return self.verb.program(kind=self.kinds, to=self.to, form=form, double=double)
 
 
 class _Own:
@@ -142,44 +144,88 @@ def named(name):
     if node is None:
         if "#" in base:
             raise RuntimeError(f"{base.partition('#')[0]}: the recorded function is gone; keep it while its results are used")
-        verb, kinds = base.rstrip(")").split("(")
-        node = of_verb(verb, tuple(kinds.split(",")), None)
+        verb, _, rest = base.partition("(")
+        kinds, _, to = rest.partition(")")
+        node = of_verb(verb, tuple(kinds.split(",")), None, to[1:] or None)
     for form in forms:
         node = getattr(node, form)()
     return node
 
 
-def of_verb(verb, kind, count):
-    """The node of a row: ``kind`` is a shape, or one for each argument."""
-    rows = _rows(verb)
-    names = lambda kind: kind if isinstance(kind, str) or kind is None else kind.__name__
+def _name(kind):
+    """A shape by its name; lone numbers have none."""
+    return "number" if kind is None else kind if isinstance(kind, str) else kind.__name__
+
+
+#: Nodes by what callers ask for: a search among rows takes longer than a call.
+_ASKED = {}
+
+
+def of_verb(verb, kind, count, to=None):
+    """The node of a row: ``kind`` is a shape, or one for each argument; ``to`` is the shape of the result."""
+    asked = (verb, tuple(kind) if isinstance(kind, list) else kind, count, to)
+    node = _ASKED.get(asked)
+    if node is None:
+        node = _ASKED[asked] = _found(verb, kind, count, to)
+    return node
+
+
+def _found(verb, kind, count, to):
+    if verb not in geograd._VERBS:
+        raise ValueError(f"no verb is called {verb!r}; {alike(verb, geograd._VERBS)}")
+    rows = [row for row in _rows(verb) if row["sort"] in ("straight", "search")]
+    fits = rows
     if isinstance(kind, (tuple, list)):
-        wanted = tuple("number" if k is None else names(k) for k in kind)
-        fits = [row for row in rows if tuple(row["kinds"]) == wanted]
+        wanted = tuple(map(_name, kind))
+        fits = [row for row in fits if tuple(row["kinds"]) == wanted]
     elif kind is not None:
+        own = _name(kind)
         fits = [
             row
-            for row in rows
-            if all(k in (names(kind), "number") for k in row["kinds"])
-            and any(k == names(kind) for k in row["kinds"])
+            for row in fits
+            if set(row["kinds"]) <= {own, "number"}
+            and own in row["kinds"]
             and (count is None or len(row["kinds"]) == count)
         ]
         # As many shapes of the kind as can be: lone numbers fit it, too.
-        most = max((row["kinds"].count(names(kind)) for row in fits), default=0)
-        fits = [row for row in fits if row["kinds"].count(names(kind)) == most]
+        most = max((row["kinds"].count(own) for row in fits), default=0)
+        fits = [row for row in fits if row["kinds"].count(own) == most]
     else:
-        fits = [row for row in rows if all(k == "number" for k in row["kinds"])]
-    fits = [row for row in fits if row["sort"] in ("straight", "search")]
+        fits = [row for row in fits if all(k == "number" for k in row["kinds"])]
+    given = lambda row: row["gives"][0][1] if row["gives"][0][2] else "number"
+    # `to` chooses among several results; the name of a node has it then.
+    chosen = ""
+    if len(fits) > 1 and to is not None:
+        chosen = f">{_name(to)}"
+    if to is not None:
+        fits = [row for row in fits if given(row) == _name(to)]
     if len(fits) != 1:
-        known = ", ".join("(" + ", ".join(row["kinds"]) + ")" for row in rows if row["sort"] in ("straight", "search"))
-        asked = "kind= must name the shapes of the tensors" if kind is None else f"no row has kind={kind!r}"
-        raise TypeError(f"{verb}: {asked}. Shapes that go together: {known}")
-    base = _Row(verb, fits[0])
-    name = f"{verb}({','.join(base.kinds)})"
+        raise TypeError(_unfound(verb, kind, to, fits, rows, given))
+    base = _Row(verb, fits[0], to if chosen else None)
+    name = f"{verb}({','.join(base.kinds)}){chosen}"
     with _LOCK:
         if name not in _NODES:
             _NODES[name] = Node(name, base, "value", base.takes, base.gives)
         return _NODES[name]
+
+
+def _unfound(verb, kind, to, fits, rows, given):
+    """Why no row was found, with those that are there."""
+    if len(fits) > 1:
+        return f"{verb}: several results are possible; say which by to=, one of {', '.join(map(given, fits))}"
+    if isinstance(kind, str) and kind not in geograd._CLASSES and kind != "number":
+        return f"{verb}: no shape is called {kind!r}; {alike(kind, geograd._CLASSES)}"
+    known = ", ".join(dict.fromkeys("(" + ", ".join(row["kinds"]) + ")" for row in rows))
+    asked = "kind= must name the shapes of the tensors" if kind is None else f"no row has kind={kind!r}"
+    asked += f" and to={to!r}" if to is not None else ""
+    return f"{verb}: {asked}. Shapes that go together: {known}"
+
+
+def alike(name, names):
+    """A hint of the names that are like one."""
+    same = [own for own in names if own.lower() == str(name).lower()]
+    near = same or difflib.get_close_matches(str(name), list(names))
+    return f"is it {' or '.join(near)}?" if near else f"there are {', '.join(names)}"
 
 
 def of_function(f):

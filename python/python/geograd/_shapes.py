@@ -5,7 +5,7 @@ import re
 
 import numpy as np
 
-from . import _convert, _core
+from . import _convert, _core, _meaning
 
 
 class Part:
@@ -121,12 +121,11 @@ def _classes():
             made.append(None)
             continue
         fields = [field for field, _, _ in described]
-        lines = [f"    {field}: {unit}{', ' + limit if limit else ''}" for field, unit, limit in described]
         bases = (_Vector, _core.Shape) if name in ("Vec2", "Vec3") else (_core.Shape,)
         body = {
             "__slots__": (),
             "__module__": "geograd",
-            "__doc__": "\n".join([f"{name}: an array whose last axis has its numbers, in this order.", "", *lines]),
+            "__doc__": _meaning.described(name, described),
             "_kind": kind,
             "_fields": tuple(fields),
             "_codes": codes,
@@ -138,8 +137,42 @@ def _classes():
     return made
 
 
-class Rings(_core.Paths):
-    """Closed paths: the last vertex of each is joined with its first one."""
+class Paths(_core.Paths):
+    """Paths: vertices one after another, and where each path starts; the last offset is the number of vertices.
+
+    ``paths[i]`` is an array of the vertices of one, ``paths[i:j]``, and places or truths as an array, are paths.
+    """
+
+    __slots__ = ()
+
+    def __getitem__(self, key):
+        offsets = np.asarray(self.offsets)
+        if isinstance(key, (int, np.integer)) and not isinstance(key, bool):
+            place, count = key.__index__(), len(self)
+            if not -count <= place < count:
+                raise IndexError(f"{place}: there are {count} paths")
+            place %= count
+            return self.vertices[offsets[place] : offsets[place + 1]]
+        places = np.arange(len(self))[key]
+        sizes = np.diff(offsets)[places]
+        ends = np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64)
+        # The place of every vertex: that of its path's first one, and how far it is from there.
+        rows = np.repeat(offsets[:-1][places] - ends[:-1], sizes) + np.arange(ends[-1])
+        return type(self)(self.vertices[rows], ends)
+
+    def __iter__(self):
+        return (self[i] for i in range(len(self)))
+
+    def __reduce__(self):
+        return type(self), (self.vertices, self.offsets)
+
+
+class Rings(Paths):
+    """Closed paths: the last vertex of each is joined with its first one, which is not repeated.
+
+    An area is positive for counter-clockwise vertices. A distance is that from the edges, also inside;
+    ``np.maximum(geograd.signed_distance(points, rings), 0)`` is that of shapely from polygons.
+    """
 
     __slots__ = ()
     _path = "ring"
@@ -150,7 +183,7 @@ class Rings(_core.Paths):
         return cls(*_convert.paths(paths, cls.__name__, closed=True))
 
 
-class Polylines(_core.Paths):
+class Polylines(Paths):
     """Open paths, of the plane or of space."""
 
     __slots__ = ()
@@ -162,7 +195,7 @@ class Polylines(_core.Paths):
         return cls(*_convert.paths(paths, cls.__name__, widths=(2, 3)))
 
 
-class Clouds(_core.Paths):
+class Clouds(Paths):
     """Clouds of points of space, in any order."""
 
     __slots__ = ()

@@ -1,7 +1,18 @@
 """The verbs, made of the table."""
 
-from . import _core
+import inspect
+
+import numpy as np
+
+from . import _core, _points, _polygons
 from ._forms import Forms
+
+
+def _call(*arguments, kind=None, to=None, out=None, backend=None):
+    pass
+
+
+_SIGNATURE = inspect.signature(_call)
 
 
 class Verb(_core.Verb, Forms):
@@ -12,6 +23,28 @@ class Verb(_core.Verb, Forms):
         return describe(self.__name__)
 
     __module__ = "geograd"
+
+    @property
+    def __signature__(self):
+        return _SIGNATURE
+
+    def all_pairs(self, a, b, *, kind=None, out=None, backend=None):
+        """Every row of `a` with every row of `b`, or with every path: a matrix."""
+        if not isinstance(b, _core.Paths):
+            return self._of_pairs("all_pairs", a, b, None, kind, out, backend)
+        columns = [np.asarray(self._run("value", (a, b[i : i + 1]), kind, None, None, backend)) for i in range(len(b))]
+        if not columns:
+            columns = [np.empty((len(a), 0))]
+        matrix = np.stack(columns, 1) if len(b) else columns[0]
+        if out is None:
+            return matrix
+        out[...] = matrix
+        return out
+
+    def _given(self, arguments, named):
+        if named:
+            raise TypeError(f"geograd.{self.__name__} takes its shapes without names, not {', '.join(named)}=")
+        return arguments
 
 
 def _spelled(column):
@@ -35,6 +68,11 @@ def describe(verb):
         lines.append(f"    {verb}({takes}) -> {gives}")
         if row["summary"] != rows[0]["summary"]:
             lines.append(f"        {row['summary']}")
+    if verb in _polygons.VERBS:
+        takes, gives = _polygons.VERBS[verb]
+        lines += [f"    {verb}({takes}) -> {gives}", f"        {_polygons.SUMMARIES[verb]}"]
+    if verb in _points.VERBS:
+        lines += [f"    {verb}(points: Paths or Polygons) -> {_points.VERBS[verb] or 'number'}", f"        {_points.SUMMARIES[verb]}"]
     return "\n".join(lines)
 
 

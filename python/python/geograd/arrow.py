@@ -4,18 +4,25 @@ A column of ``FixedSizeList`` is lent without a copy, and so is a result. Shapes
 are lent field by field: calls read them where they lie. Fields of structs have the names of the shape's fields, in any order.
 """
 
+from __future__ import annotations
+
+from typing import Any, Iterable, Iterator, Literal, Optional, Sequence, Union
+
 import numpy as np
 import pyarrow as pa
 import pyarrow.compute as pc
 
 import geograd
 
-from . import _core
+from . import _core, _nodes
+
+#: The shape of all columns, or one for each; None for lone numbers.
+Kinds = Union[str, None, Sequence[Optional[str]]]
 
 _FIELDS = {name: [field for field, *_ in fields] for name, fields, _ in _core.shapes()}
 
 
-def _plain(column):
+def _plain(column: Any) -> Any:
     """A column in one piece, of a plain type."""
     if hasattr(column, "to_arrow"):
         column = column.to_arrow()
@@ -30,13 +37,13 @@ def _plain(column):
     return column.storage if isinstance(column, pa.ExtensionArray) else column
 
 
-def _whole(column, name):
+def _whole(column: Any, name: str) -> None:
     if column.null_count:
         item = int(np.flatnonzero(column.is_null().to_numpy(zero_copy_only=False))[0])
         raise ValueError(f"`{name}` item {item}: is null ({column.null_count} of {len(column)} are)")
 
 
-def _lane(column, name):
+def _lane(column: Any, name: str) -> Any:
     """Numbers of a column of floats, without a copy."""
     _whole(column, name)
     if not pa.types.is_floating(column.type) and not pa.types.is_integer(column.type):
@@ -45,12 +52,12 @@ def _lane(column, name):
     return numbers if numbers.dtype in (np.float32, np.float64) else numbers.astype(np.float64)
 
 
-def _struct(column, wanted, name):
+def _struct(column: Any, wanted: Sequence[str], name: str) -> list[Any]:
     """The numbers of fields of a column of structs, each without a copy."""
     return [_lane(column.field(field), f"{name}.{field}") for field in wanted]
 
 
-def _apart(kind, lanes):
+def _apart(kind: str, lanes: list[Any]) -> Any:
     """Shapes of numbers that lie apart: lent where they have one format."""
     made = getattr(geograd, kind)
     if len({lane.dtype for lane in lanes}) > 1 or len(lanes) == 1:
@@ -58,13 +65,13 @@ def _apart(kind, lanes):
     return made(_core.Columns([np.ascontiguousarray(lane) for lane in lanes]))
 
 
-def array(column, kind=None, name="column"):
+def array(column: Any, kind: Optional[str] = None, name: str = "column") -> Any:
     """The numbers of a column as an array of shape (N, fields), or (N,) of lone numbers."""
     column = _plain(column)
     _whole(column, name)
     fields = _FIELDS.get(kind)
     if kind is not None and fields is None:
-        raise ValueError(f"kind: no shape is called {kind!r}")
+        raise ValueError(f"kind: no shape is called {kind!r}; {_nodes.alike(kind, _FIELDS)}")
     if pa.types.is_fixed_size_list(column.type):
         size = column.type.list_size
         if fields and size != len(fields):
@@ -87,7 +94,7 @@ def array(column, kind=None, name="column"):
     return numbers[:, None] if fields and len(fields) == 1 else numbers
 
 
-def shapes(column, kind, name="column"):
+def shapes(column: Any, kind: str, name: str = "column") -> Any:
     """Shapes of a kind from a column, lent without a copy."""
     column = _plain(column)
     fields = _FIELDS.get(kind)
@@ -97,7 +104,7 @@ def shapes(column, kind, name="column"):
     return getattr(geograd, kind)(array(column, kind, name))
 
 
-def fields(table, kind, prefix=""):
+def fields(table: Any, kind: str, prefix: str = "") -> Any:
     """Shapes of a kind from the columns of a table that have the names of its fields, after a prefix."""
     wanted = [prefix + field for field in _FIELDS[kind]]
     missing = [field for field in wanted if field not in table.column_names]
@@ -106,7 +113,7 @@ def fields(table, kind, prefix=""):
     return _apart(kind, [_lane(_plain(table[field]), field) for field in wanted])
 
 
-def column(x, layout="list", element="element"):
+def column(x: Any, layout: Literal["list", "struct"] = "list", element: str = "element") -> Any:
     """Shapes or arrays as a column: ``"list"`` for FixedSizeList, without a copy, ``"struct"`` for structs.
 
     ``element`` names the numbers of a list: Parquet has ``element``, pyarrow by default ``item``.
@@ -124,7 +131,7 @@ def column(x, layout="list", element="element"):
     return pa.FixedSizeListArray.from_arrays(flat, type=pa.list_(pa.field(element, flat.type), numbers.shape[1]))
 
 
-def _runs(column, name):
+def _runs(column: Any, name: str) -> tuple[Any, Any]:
     """The first row of every run of equal keys, and the end."""
     column = _plain(column)
     _whole(column, name)
@@ -144,7 +151,7 @@ def _runs(column, name):
     return column.take(pa.array(starts)), np.append(starts, len(column))
 
 
-def groups(a, b, names=("a", "b")):
+def groups(a: Any, b: Any, names: tuple[str, str] = ("a", "b")) -> tuple[Any, Any, Any]:
     """Keys of all groups, and the offsets of each in both columns, for ``groups=``.
 
     Rows of a group have to follow one another; a group may be missing in one column. Groups come in the order of their
@@ -161,7 +168,7 @@ def groups(a, b, names=("a", "b")):
     keys = pa.concat_arrays([keys_a, keys_b]).unique()
     keys = keys.take(pc.sort_indices(keys)) if len(keys) else keys
 
-    def offsets(own, starts):
+    def offsets(own: Any, starts: Any) -> Any:
         # The first row of the first group that is not before the key.
         place = np.searchsorted(np.array(own.to_pylist(), object), np.array(keys.to_pylist(), object))
         return np.append(starts[place], starts[-1]).astype(np.int64)
@@ -169,7 +176,9 @@ def groups(a, b, names=("a", "b")):
     return keys, offsets(keys_a, starts_a), offsets(keys_b, starts_b)
 
 
-def join(verb, left, right, threshold, *, on, a, b, kind):
+def join(
+    verb: Any, left: Any, right: Any, threshold: float, *, on: str, a: str, b: str, kind: Union[str, Sequence[str]]
+) -> Any:
     """Pairs of rows of two tables, of one group, whose result is above a threshold: a table of left_row, right_row, value.
 
     Both tables are in the order of the column ``on``. ``a`` and ``b`` name the columns of shapes.
@@ -189,27 +198,44 @@ class Apply:
     """A verb on columns of tables, as engines call it: takes a table or a batch, gives it with the result appended.
 
     ``columns`` name the arguments, ``kind`` their shapes. With ``grad`` the derivatives by every argument follow, in columns
-    ``<out>_by_<column>``. It is plain data, so engines may send it to other processes.
+    ``<out>_by_<column>``. Frames of Polars become such. It is plain data, so engines may send
+    it to other processes.
     """
 
-    def __init__(self, verb, columns, kind, *, out="value", grad=False, threads=None):
+    def __init__(
+        self,
+        verb: str,
+        columns: Sequence[str],
+        kind: Kinds,
+        *,
+        out: str = "value",
+        grad: bool = False,
+        threads: Optional[int] = None,
+    ) -> None:
         kinds = (kind,) * len(columns) if isinstance(kind, str) or kind is None else tuple(kind)
         if len(kinds) != len(columns):
             raise ValueError(f"kind: {len(columns)} shapes are needed, one for each column, not {len(kinds)}")
         if verb not in _core.verbs():
-            raise ValueError(f"no verb is called {verb!r}")
+            raise ValueError(f"no verb is called {verb!r}; {_nodes.alike(verb, _core.verbs())}")
         self.verb, self.columns, self.kinds = verb, tuple(columns), kinds
         self.out, self.grad, self.threads = out, grad, threads
 
-    def _argument(self, table, name, kind):
+    def _argument(self, table: Any, name: str, kind: Optional[str]) -> Any:
         if name not in table.schema.names:
             raise KeyError(f"no column {name}; there are {', '.join(table.schema.names)}")
         if kind is None or kind == "number":
             return array(table.column(name), None, name)
         return shapes(table.column(name), kind, name)
 
-    def __call__(self, table):
-        if self.threads:
+    def __call__(self, table: Any) -> Any:
+        is_polars = type(table).__module__.partition(".")[0] == "polars"
+        if is_polars:
+            import polars
+
+            return polars.from_arrow(self(table.to_arrow()))
+        if not hasattr(table, "schema"):
+            raise TypeError(f"a table or a batch of Arrow or Polars is needed, not {type(table).__name__}")
+        if self.threads is not None:
             geograd.set_num_threads(self.threads)
         arguments = [self._argument(table, name, kind) for name, kind in zip(self.columns, self.kinds)]
         verb = getattr(geograd, self.verb)
@@ -224,7 +250,7 @@ class Apply:
         make = pa.Table.from_arrays if isinstance(table, pa.Table) else pa.RecordBatch.from_arrays
         return make(arrays, names=names)
 
-    def batches(self, batches):
+    def batches(self, batches: Iterable[Any]) -> Iterator[Any]:
         """Batch after batch: what ``DataFrame.mapInArrow`` of Spark calls."""
         for batch in batches:
             yield self(batch)

@@ -1,130 +1,207 @@
-"""Verbs and own functions as differentiable JAX functions, computed on the CPU by the library.
+"""Verbs, losses and own functions as differentiable JAX functions, computed on the CPU by the library.
 
-``geograd.jax.iou(a, b, kind="Obb2")`` takes arrays of shape ``(..., 5)`` and gives one of shape ``(...)``. ``jit``,
-``grad``, ``vmap`` and derivatives of any order work; the library runs in a callback on the host.
+``geograd.jax.iou(a, b, kind="Obb2")`` takes arrays of shape ``(..., 5)`` and gives one of shape ``(...)``;
+``geograd.jax.iou.all_pairs(a, b, kind="Obb2")`` gives a matrix. ``jit``, ``grad``, ``vmap``, forward mode (``jvp``,
+``jacfwd``, ``hessian``) and derivatives of any order work; under ``jit`` the library runs in a callback on the host.
+
+Losses: ``loss("giou", a, b)``, and by their names ``iou_loss``, ``giou_loss``, ``diou_loss``, ``ciou_loss``, ``eiou_loss``,
+``probiou_loss``, ``kfiou_loss``, ``gwd_loss``, ``kld_loss``.
 """
 
 from __future__ import annotations
 
-import functools
+from typing import Any, Callable, Literal, Optional, Protocol, Union
 
-import jax
 import jax.numpy as jnp
-import numpy as np
 
 import geograd
-from geograd import _nodes
+from geograd import _jax, _nodes
+from geograd._function import Function, reduced
+from geograd._jax_verbs import *  # noqa: F403
+from geograd._jax_verbs import __all__ as _VERBS, Verb
 
-__all__ = ["function"]
+__all__ = [
+    "function", "loss", "iou_loss", "giou_loss", "diou_loss", "ciou_loss", "eiou_loss", "probiou_loss", "kfiou_loss", "gwd_loss",
+    "kld_loss", "Verb", *_VERBS,
+]
 
-
-def _lead(node, xs):
-    shapes = []
-    for (name, _, width), x in zip(node.takes, xs):
-        if width and (x.ndim == 0 or x.shape[-1] != width):
-            raise ValueError(f"{node.name}: `{name}` needs an array of shape (..., {width}), not {x.shape}")
-        shapes.append(x.shape[:-1] if width else x.shape)
-    return np.broadcast_shapes(*shapes)
-
-
-def _on_host(node, *xs):
-    xs = [np.asarray(x) for x in xs]
-    lead = _lead(node, xs)
-    if 0 in lead:
-        return tuple(np.empty(_nodes.size(lead, width), xs[0].dtype) for width in node.gives)
-    arrays = [np.broadcast_to(x, _nodes.size(lead, width)) for (_, _, width), x in zip(node.takes, xs)]
-    results = node.run([np.ascontiguousarray(x) for x in arrays])
-    return tuple(np.asarray(r, xs[0].dtype).reshape(_nodes.size(lead, w)) for r, w in zip(results, node.gives))
+Reduction = Literal["mean", "sum", "none"]
+Array = Any
 
 
-def _of(node):
-    """The function of a node, made once."""
-    if "jax" not in node.kept:
-        node.kept["jax"] = _made(node)
-    return node.kept["jax"]
+class _OnArrays:
+    """A function of one's own on JAX's arrays."""
+
+    def __init__(self, f: Function) -> None:
+        self._node = _nodes.of_function(f)
+        self.__name__ = f.__name__
+        self.__qualname__ = getattr(f, "__qualname__", f.__name__)
+        self.__module__ = f.__module__
+        self.__doc__ = f.__doc__
+        self.__wrapped__ = f
+
+    def __call__(self, *arguments: Any, **named: Any) -> Any:
+        f = self.__wrapped__
+        arguments = f._given(arguments, named)
+        columns = [jnp.asarray(x) for x in arguments]
+        return _jax.applied(self._node, _nodes.split(self.__name__, f._leaves, f._names, columns))
+
+    def __repr__(self) -> str:
+        return f"<geograd.jax.function of {self.__wrapped__!r}>"
+
+    def __reduce__(self) -> Any:
+        return reduced(self, function, self.__wrapped__, ".__wrapped__.__wrapped__")
 
 
-def _made(node):
-    # JAX compiles anew for every callback that it has not seen.
-    on_host = functools.partial(_on_host, node)
-
-    def call(*xs):
-        lead = _lead(node, xs)
-        shapes = tuple(jax.ShapeDtypeStruct(_nodes.size(lead, width), xs[0].dtype) for width in node.gives)
-        return jax.pure_callback(on_host, shapes, *xs, vmap_method="broadcast_all")
-
-    whole = jax.custom_vjp(call)
-
-    def forward(*xs):
-        return whole(*xs), xs
-
-    def backward(xs, bars):
-        grads = _of(node.vjp())(*xs, *bars)
-        return tuple(grads)
-
-    whole.defvjp(forward, backward)
-
-    def spread(*xs):
-        # Arguments are broadcast outside, so that JAX itself sums their gradients.
-        lead = _lead(node, xs)
-        return whole(*[jnp.broadcast_to(x, _nodes.size(lead, w)) for (_, _, w), x in zip(node.takes, xs)])
-
-    return spread
-
-
-def _apply(node, arguments):
-    if len(arguments) != len(node.takes):
-        names = ", ".join(name for name, _, _ in node.takes)
-        raise TypeError(f"{node.name} takes {names}, not {len(arguments)} arguments")
-    xs = [jnp.asarray(x) for x in arguments]
-    for (name, _, _), x in zip(node.takes, xs):
-        if jnp.issubdtype(x.dtype, jnp.floating) and x.dtype not in (jnp.float32, jnp.float64):
-            raise TypeError(f"{node.name}: `{name}` is {x.dtype}: float32 and float64 are taken")
-    floats = [x.dtype for x in xs if jnp.issubdtype(x.dtype, jnp.floating)]
-    dtype = jnp.float64 if any(d == jnp.float64 for d in floats) else jnp.float32
-    results = _of(node)(*[x.astype(dtype) for x in xs])
-    return results[0] if len(results) == 1 and not node.is_tuple else results
-
-
-class _Verb:
-    """A verb on JAX's arrays."""
-
-    def __init__(self, name):
-        self.__name__ = self.__qualname__ = name
-        self.__doc__ = getattr(geograd, name).__doc__
-
-    def __repr__(self):
-        return f"<geograd.jax.{self.__name__}>"
-
-    def __reduce__(self):
-        return (_verb, (self.__name__,))
-
-    def __call__(self, *arguments, kind=None):
-        return _apply(_nodes.of_verb(self.__name__, kind, len(arguments)), arguments)
-
-
-@functools.lru_cache(maxsize=None)
-def _verb(name):
-    return _Verb(name)
-
-
-def function(f):
+def function(f: Callable[..., Any]) -> Callable[..., Any]:
     """A function of your own on JAX's arrays: ``f`` is a ``geograd.function``, or becomes one."""
-    f = f if isinstance(f, geograd.Function) else geograd.function(f)
-    node = _nodes.of_function(f)
-
-    @functools.wraps(f)
-    def on_arrays(*arguments):
-        return _apply(node, _nodes.split(node.name, f._leaves, f._names, arguments))
-
-    return on_arrays
+    return _OnArrays(f if isinstance(f, Function) else geograd.function(f))
 
 
-def __getattr__(name):
-    if name in geograd._VERBS:
-        return _verb(name)
-    raise AttributeError(f"module 'geograd.jax' has no attribute {name!r}")
+def loss(
+    verb: str,
+    prediction: Array,
+    target: Array,
+    *,
+    kind: str = "Obb2",
+    reduction: Reduction = "mean",
+    weight: Optional[Array] = None,
+    avg_factor: Union[float, Array, None] = None,
+) -> Array:
+    """One minus a score of two boxes, reduced: ``loss("giou", a, b)``.
+
+    ``reduction`` is ``"mean"``, ``"sum"`` or ``"none"``; the mean of no boxes is 0. ``weight`` is a factor of each box's
+    loss, of which the mean counts; ``avg_factor`` divides the sum in place of the number of boxes.
+    """
+    return _reduced(1 - _score(verb, prediction, target, kind), reduction, weight, avg_factor)
 
 
-def __dir__():
-    return sorted([*globals(), *geograd._VERBS])
+def _score(verb: str, a: Array, b: Array, kind: str) -> Array:
+    return _jax.applied(_nodes.of_verb(verb, kind, 2), (a, b))
+
+
+def _reduced(losses: Array, reduction: Reduction, weight: Optional[Array], avg_factor: Any) -> Array:
+    if reduction not in ("mean", "sum", "none"):
+        raise ValueError(f"reduction is 'mean', 'sum' or 'none', not {reduction!r}")
+    if weight is not None:
+        weight = jnp.asarray(weight)
+        losses = losses * (weight.mean(-1) if weight.ndim == losses.ndim + 1 else weight)
+    if avg_factor is not None and reduction == "sum":
+        raise ValueError("avg_factor is for the reductions 'mean' and 'none': it divides the sum of a mean")
+    if reduction == "none":
+        return losses
+    if avg_factor is not None:
+        return losses.sum() / jnp.maximum(avg_factor, 1e-7)
+    return losses.sum() / max(losses.size, 1) if reduction == "mean" else losses.sum()
+
+
+class NamedLoss(Protocol):
+    """A loss of one score; see :func:`loss`."""
+
+    def __call__(
+        self,
+        prediction: Array,
+        target: Array,
+        *,
+        kind: str = "Obb2",
+        reduction: Reduction = "mean",
+        weight: Optional[Array] = None,
+        avg_factor: Union[float, Array, None] = None,
+    ) -> Array: ...
+
+
+def _named(verb: str) -> NamedLoss:
+    def named(
+        prediction: Array,
+        target: Array,
+        *,
+        kind: str = "Obb2",
+        reduction: Reduction = "mean",
+        weight: Optional[Array] = None,
+        avg_factor: Union[float, Array, None] = None,
+    ) -> Array:
+        return loss(verb, prediction, target, kind=kind, reduction=reduction, weight=weight, avg_factor=avg_factor)
+
+    named.__name__ = named.__qualname__ = f"{verb}_loss"
+    named.__doc__ = f"One minus :func:`geograd.{verb}`, reduced; see :func:`loss`."
+    return named
+
+
+iou_loss = _named("iou")
+giou_loss = _named("giou")
+diou_loss = _named("diou")
+ciou_loss = _named("ciou")
+eiou_loss = _named("eiou")
+probiou_loss = _named("probiou")
+
+
+def _root(x: Array) -> Array:
+    """The square root, with derivative zero at zero, where boxes are equal."""
+    return jnp.where(x > 0, jnp.sqrt(jnp.where(x > 0, x, 1.0)), 0.0)
+
+
+def _bounded(distance: Array, fun: str, tau: float) -> Array:
+    if fun not in ("log1p", "sqrt", "none"):
+        raise ValueError(f"fun is 'log1p', 'sqrt' or 'none', not {fun!r}")
+    distance = jnp.log1p(distance) if fun == "log1p" else _root(distance) if fun == "sqrt" else distance
+    return 1 - 1 / (tau + distance) if tau >= 1 else distance
+
+
+def _sizes(x: Array) -> Array:
+    return x[..., 2:4] if x.shape[-1] == 5 else x[..., 3:6]
+
+
+def kfiou_loss(
+    prediction: Array,
+    target: Array,
+    *,
+    kind: str = "Obb2",
+    reduction: Reduction = "mean",
+    weight: Optional[Array] = None,
+    avg_factor: Union[float, Array, None] = None,
+) -> Array:
+    """The bound of :func:`geograd.kfiou` less it, reduced: 0 for boxes of equal shape, blind to their centres.
+
+    Another loss has to place boxes; :class:`geograd.torch.KFIoULoss` has one of centres beside it.
+    """
+    bound = 1 / 3 if jnp.shape(prediction)[-1] == 5 else 1 / (2**2.5 - 1)
+    losses = jnp.maximum(bound - _score("kfiou", prediction, target, kind), 0)
+    return _reduced(losses, reduction, weight, avg_factor)
+
+
+def gwd_loss(
+    prediction: Array,
+    target: Array,
+    *,
+    kind: str = "Obb2",
+    reduction: Reduction = "mean",
+    fun: str = "log1p",
+    tau: float = 1.0,
+    normalize: bool = True,
+    weight: Optional[Array] = None,
+    avg_factor: Union[float, Array, None] = None,
+) -> Array:
+    """The loss by :func:`geograd.wasserstein`, as :class:`geograd.torch.GWDLoss`."""
+    distance = _score("wasserstein", prediction, target, kind)
+    if normalize:
+        a, b = _sizes(jnp.asarray(prediction)), _sizes(jnp.asarray(target))
+        product = a.prod(-1) * b.prod(-1)
+        distance = distance / jnp.where(product > 0, product, 1.0) ** (0.5 / a.shape[-1])
+    return _reduced(_bounded(distance, fun, tau), reduction, weight, avg_factor)
+
+
+def kld_loss(
+    prediction: Array,
+    target: Array,
+    *,
+    kind: str = "Obb2",
+    reduction: Reduction = "mean",
+    fun: str = "log1p",
+    tau: float = 1.0,
+    sqrt: bool = True,
+    weight: Optional[Array] = None,
+    avg_factor: Union[float, Array, None] = None,
+) -> Array:
+    """The loss by :func:`geograd.kullback_leibler` of the target from the prediction, as :class:`geograd.torch.KLDLoss`."""
+    divergence = _score("kullback_leibler", target, prediction, kind)
+    return _reduced(_bounded(_root(divergence) if sqrt else divergence, fun, tau), reduction, weight, avg_factor)

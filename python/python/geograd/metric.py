@@ -4,26 +4,42 @@ Detections and truths of all frames lie one after another. Pairs join places in 
 ``geograd.iou.above(detections, truths, threshold, groups=(offsets, offsets))`` gives them.
 """
 
+from __future__ import annotations
+
 import math
+from typing import Any, Literal, Mapping, Optional, Sequence, Tuple
 
 import numpy as np
 
 from . import _core
-from .assignment import _pairs
+from .assignment import Groups, Pairs, _pairs
+
+#: Scores, precisions and recalls.
+Curve = Tuple[Any, Any, Any]
+Recalls = Literal["all", "eleven", "forty"]
 
 #: Errors of true positives in the order of nuScenes: ATE, ASE, AOE, AVE, AAE.
 ERRORS = ("translation", "scale", "orientation", "velocity", "attribute")
 
 
-def _numbers(x):
+def _numbers(x: Any) -> Any:
     return np.ascontiguousarray(x, np.float64)
 
 
-def _flags(x):
-    return [] if x is None else np.asarray(x, bool).tolist()
+def _flags(x: Any) -> list[bool]:
+    return [] if x is None else [bool(flag) for flag in np.asarray(x, bool).tolist()]
 
 
-def outcomes(scores, truths, pairs, threshold, *, ignored_truths=None, ignored_detections=None, groups=None):
+def outcomes(
+    scores: Any,
+    truths: int,
+    pairs: Pairs,
+    threshold: float,
+    *,
+    ignored_truths: Any = None,
+    ignored_detections: Any = None,
+    groups: Groups = None,
+) -> Any:
     """The truth that every detection found; -1 for a wrong detection, -2 for one that does not count.
 
     By descending score a detection takes the truth that it overlaps most, if by at least the threshold. ``truths`` is the
@@ -33,18 +49,29 @@ def outcomes(scores, truths, pairs, threshold, *, ignored_truths=None, ignored_d
     return _core.outcomes(_numbers(scores), truths, *_pairs(pairs), float(threshold), *ignored, groups)
 
 
-def curve(scores, outcomes, truths):
+def curve(scores: Any, outcomes: Any, truths: int) -> Curve:
     """Scores, precisions and recalls, the highest score first. ``truths`` is the number of truths that count."""
-    return _core.curve(_numbers(scores), np.ascontiguousarray(outcomes, np.int64), truths)
+    found: Curve = _core.curve(_numbers(scores), np.ascontiguousarray(outcomes, np.int64), truths)
+    return found
 
 
-def average_precision(curve, recalls="all"):
+def average_precision(curve: Curve, recalls: Recalls = "all") -> float:
     """The mean over recalls (``"eleven"``, ``"forty"``, ``"all"``) of the best precision at that recall or a higher one."""
     _, precision, recall = curve
-    return _core.average_precision(_numbers(precision), _numbers(recall), recalls)
+    return float(_core.average_precision(_numbers(precision), _numbers(recall), recalls))
 
 
-def kitti(scores, pairs, threshold, *, truths, detections=None, unlabelled=None, angles=None, recalls="forty"):
+def kitti(
+    scores: Any,
+    pairs: Pairs,
+    threshold: float,
+    *,
+    truths: Any,
+    detections: Any = None,
+    unlabelled: Any = None,
+    angles: Optional[tuple[Any, Any]] = None,
+    recalls: Recalls = "forty",
+) -> dict[str, Any]:
     """Average precision and average orientation similarity by KITTI's rules, of one class and difficulty.
 
     ``truths`` and ``detections`` say how each counts: 0 fully, 1 ignored, 2 not at all. ``angles`` are the observation angles
@@ -60,7 +87,7 @@ def kitti(scores, pairs, threshold, *, truths, detections=None, unlabelled=None,
     return {"ap": ap, "aos": None if angles is None else aos, "curve": points, "truths": counted}
 
 
-def _objects(objects, name):
+def _objects(objects: Mapping[str, Any], name: str) -> tuple[Any, Any]:
     boxes, velocity, attribute = objects["box"], objects.get("velocity"), objects.get("attribute")
     boxes = _numbers(boxes).reshape(-1, 6)
     velocity = np.full((len(boxes), 2), np.nan) if velocity is None else _numbers(velocity).reshape(-1, 2)
@@ -70,7 +97,16 @@ def _objects(objects, name):
     return np.concatenate([boxes, velocity], axis=1), np.ascontiguousarray(attribute, np.int64)
 
 
-def nuscenes(detections, scores, truths, groups, *, thresholds=(0.5, 1.0, 2.0, 4.0), at=2.0, period=math.tau):
+def nuscenes(
+    detections: Mapping[str, Any],
+    scores: Any,
+    truths: Mapping[str, Any],
+    groups: Sequence[Any],
+    *,
+    thresholds: Sequence[float] = (0.5, 1.0, 2.0, 4.0),
+    at: float = 2.0,
+    period: float = math.tau,
+) -> dict[str, Any]:
     """Average precision by distances of centres, and the errors of true positives, by nuScenes' rules, of one class.
 
     ``detections`` and ``truths`` are dicts: ``box`` with rows of x, y, width, length, height, yaw; optionally ``velocity``
@@ -85,7 +121,9 @@ def nuscenes(detections, scores, truths, groups, *, thresholds=(0.5, 1.0, 2.0, 4
     return {"ap": float(np.mean(aps)), "aps": aps, "errors": dict(zip(ERRORS, found[-1][1]))}
 
 
-def nuscenes_score(classes, *, without=None):
+def nuscenes_score(
+    classes: Mapping[str, Mapping[str, Any]], *, without: Optional[Mapping[str, Sequence[str]]] = None
+) -> float:
     """The nuScenes detection score of the results of all classes, by name.
 
     ``without`` has by class the errors that do not count; by default those of the benchmark for traffic cones and barriers.

@@ -4,19 +4,34 @@ Batches have to be Arrow's (``batch_format="pyarrow"``): in ``"numpy"`` Ray make
 cores of a machine, so a call uses one thread unless told otherwise.
 """
 
-import inspect
+from __future__ import annotations
 
-from .arrow import Apply, join
+import inspect
+from typing import Any, Callable, Iterable, Sequence
+
+from .arrow import Apply, Kinds, join
 
 __all__ = ["apply", "map", "Files", "join"]
 
 
-def apply(verb, columns, kind, *, out="value", grad=False, threads=1):
+def apply(
+    verb: str, columns: Sequence[str], kind: Kinds, *, out: str = "value", grad: bool = False, threads: int = 1
+) -> Apply:
     """The verb on batches of Arrow; see :class:`geograd.arrow.Apply`."""
     return Apply(verb, columns, kind, out=out, grad=grad, threads=threads)
 
 
-def map(dataset, verb, columns, kind, *, out="value", grad=False, threads=1, **options):
+def map(
+    dataset: Any,
+    verb: str,
+    columns: Sequence[str],
+    kind: Kinds,
+    *,
+    out: str = "value",
+    grad: bool = False,
+    threads: int = 1,
+    **options: Any,
+) -> Any:
     """The dataset with the result of a verb appended."""
     function = apply(verb, columns, kind, out=out, grad=grad, threads=threads)
     return dataset.map_batches(function, batch_format="pyarrow", num_cpus=threads, **options)
@@ -28,12 +43,12 @@ class Files:
     The function takes a path and gives a dict of numbers and text.
     """
 
-    def __init__(self, function, threads=1):
+    def __init__(self, function: Callable[[str], dict[str, Any]], threads: int = 1) -> None:
         if not callable(function) or inspect.isclass(function):
             raise TypeError("a function of a path is needed")
         self.function, self.threads = function, threads
 
-    def __call__(self, batch):
+    def __call__(self, batch: Any) -> Any:
         import pyarrow as pa
 
         import geograd
@@ -41,7 +56,7 @@ class Files:
         geograd.set_num_threads(self.threads)
         return pa.Table.from_pylist([self.function(path) for path in batch["path"].to_pylist()])
 
-    def run(self, paths, **options):
+    def run(self, paths: Iterable[Any], **options: Any) -> list[dict[str, Any]]:
         """The results of all files, in the order of the paths."""
         import ray
 

@@ -11,7 +11,7 @@ mod face;
 mod features;
 mod seen;
 
-use super::core::{BoxCore, Core};
+use super::core::{BoxCore, Core3};
 use super::relation::{Relation, direction};
 use super::spot::vanish;
 use crate::arrays::Each;

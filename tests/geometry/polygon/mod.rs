@@ -1,4 +1,5 @@
 //! Polygons: what they share, their clips, hulls, measures and scores.
+mod adjoints;
 #[cfg(feature = "boolean")]
 mod boolean;
 mod cases;

@@ -1,9 +1,10 @@
 //! Results of boolean operations that are valid by the OGC's rules, against an oracle.
 use super::boolean::{OPERATIONS, cases};
 use super::cases::{at, ring};
-use super::rings::{made, moved};
+use super::rings::{made, moved, zeros};
 use super::scanline::{self, Ring};
 use super::simple::flaw;
+use geograd::ad::adjoint::boolean::valid_vjp;
 use geograd::boolean::{
     BooleanOperation, overlay_replay, overlay_search, valid, valid_replay, valid_search,
 };
@@ -131,6 +132,37 @@ fn derivatives_are_those_of_the_usual_result() {
             }
         }
         tried += 1;
+    }
+}
+
+/// Any function of the vertices of a valid result, by the adjoint and by duals.
+#[test]
+fn the_adjoint_is_that_of_the_replay() {
+    let mut dice = Dice(9);
+    for (k, (a, b)) in cases(&mut dice).into_iter().enumerate() {
+        let (a, b) = (made(&a), made(&b));
+        let (operation, _) = OPERATIONS[k % 4];
+        let trace = valid_search(&a, &b, operation, Fill::EvenOdd).unwrap();
+        let weights: Vec<_> = (0..trace.vertex_count())
+            .map(|_| at(dice.within(-1.0, 1.0), dice.within(-1.0, 1.0)))
+            .collect();
+        let of = |(a, b): (Polygon<_>, Polygon<_>)| {
+            let parts = valid_replay(&a, &b, &trace);
+            let vertices = parts.iter().flat_map(Polygon::vertices);
+            vertices.zip(&weights).fold(Scalar::zero(), |sum, (v, w)| {
+                sum + v.x * Scalar::lit(w.x) + v.y * Scalar::lit(w.y)
+            })
+        };
+        let (_, expected) = geograd::gradient(of, (a.clone(), b.clone()));
+        let (mut a_bar, mut b_bar) = (zeros(&a), zeros(&b));
+        valid_vjp(&a, &b, &trace, &weights, &mut a_bar, &mut b_bar);
+        let pairs = (a_bar, b_bar).scalars().into_iter().zip(expected.scalars());
+        for (found, expected) in pairs {
+            assert!(
+                (found - expected).abs() < 1e-9 * (1.0 + expected.abs()),
+                "{k} {operation:?} {found} {expected}"
+            );
+        }
     }
 }
 

@@ -106,21 +106,22 @@ fn table() -> String {
     for (name, reports) in &fields {
         write!(
             text,
-            "\n## {name}\n\n| report | there | asked here | geograd | source of the right value |\n"
+            "\n## {name}\n\n| report | there | asked here | right value | geograd | source of the right value |\n"
         )
         .unwrap();
-        text.push_str("| --- | --- | --- | --- | --- |\n");
+        text.push_str("| --- | --- | --- | --- | --- | --- |\n");
         for report in reports {
             let to = |x: f64| if x.abs() <= report.within { 0.0 } else { x };
-            let found: Vec<String> = (report.found)().into_iter().map(|x| shown(to(x))).collect();
+            let list = |numbers: Vec<f64>| {
+                let texts: Vec<String> = numbers.into_iter().map(|x| shown(to(x))).collect();
+                texts.join(", ")
+            };
+            let (right, found) = (list((report.right)()), list((report.found)()));
             let (library, number) = (report.library, report.number);
             writeln!(
                 text,
-                "| [{library} {number}](https://github.com/{library}/issues/{number}) | {} | {} | {} | {} |",
-                report.about,
-                report.asked,
-                found.join(", "),
-                report.source
+                "| [{library} {number}](https://github.com/{library}/issues/{number}) | {} | {} | {right} | {found} | {} |",
+                report.about, report.asked, report.source
             )
             .unwrap();
         }

@@ -1,22 +1,17 @@
 //! The reads and writes of slots by the instructions of a program.
-use crate::kernels::cpu::program::instructions::{Instruction, Opcode};
+use crate::kernels::cpu::program::instructions::{Instruction, LISTED, Opcode};
 use std::collections::HashMap;
 
 /// Returns the numbers of operands and of results of an instruction.
 pub(super) fn sizes(op: Opcode) -> [usize; 2] {
-    macro_rules! listed {
-        ($($name:ident($($x:ident),*) = $value:expr;)*) => {
-            match op {
-                $(Opcode::$name => [[$(stringify!($x)),*].len(), 1],)*
-                Opcode::Parts => [1, 4],
-                Opcode::SinCos => [1, 2],
-                Opcode::Turn => [4, 2],
-                Opcode::SumSub => [2, 2],
-                Opcode::SkipIfAll | Opcode::SkipIfNone => [1, 0],
-            }
-        };
+    match op {
+        Opcode::Parts => [1, 4],
+        Opcode::SinCos => [1, 2],
+        Opcode::Turn => [4, 2],
+        Opcode::SumSub => [2, 2],
+        Opcode::SkipIfAll | Opcode::SkipIfNone => [1, 0],
+        one_result => [LISTED[one_result as usize].1, 1],
     }
-    crate::kernels::cpu::program::instructions::instructions! { listed!() }
 }
 
 /// The reads (`true`) and writes of every slot, in the order of instructions.

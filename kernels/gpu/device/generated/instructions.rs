@@ -5,7 +5,7 @@
 //! that record.
 use crate::Error;
 use crate::ad::program::graph::{Graph, Id, Node};
-use crate::kernels::cpu::program::instructions::Opcode;
+use crate::kernels::cpu::program::instructions::{LISTED, Opcode};
 use crate::kernels::cpu::program::{Skipping, Tape};
 
 /// A replay as instructions of four words each: operation and slot of the result; two operands; two more. Further
@@ -72,12 +72,8 @@ pub(crate) fn instructions(graph: &Graph, inputs: usize, outputs: &[Id]) -> Resu
 
 /// Returns the number of every instruction of the interpreter, by name.
 pub(crate) fn numbers() -> Vec<(&'static str, u32)> {
-    macro_rules! listed {
-        ($($name:ident($($x:ident),*) = $value:expr;)*) => {
-            vec![$((stringify!($name), Opcode::$name as u32),)*]
-        };
-    }
-    let mut all = crate::kernels::cpu::program::instructions::instructions! { listed!() };
+    let listed = LISTED.iter().zip(0..);
+    let mut all: Vec<_> = listed.map(|(&(name, _), number)| (name, number)).collect();
     all.extend([
         ("Parts", Opcode::Parts as u32),
         ("SinCos", Opcode::SinCos as u32),

@@ -97,7 +97,7 @@ fn body(x: array<f32, 11>) -> array<f32, 1> {
 const GROUP: u32 = 64u;
 const STEP: u32 = 16u;
 const STRIP: u32 = 16u;
-const LEAST: f32 = -3.4028235e38f;
+const LEAST: f32 = -3.4028234663852886e38f;
 const OWN_ROWS: bool = false;
 const SLOTS: u32 = 1u;
 // The parameters of kernels over two lists, or over a matrix of their pairs.

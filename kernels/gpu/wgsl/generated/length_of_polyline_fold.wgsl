@@ -37,11 +37,11 @@ fn fold_join(x: array<f32, 2>) -> array<f32, 1> {
 }
 
 fn fold_finish(x: array<f32, 1>) -> array<f32, 1> {
-    let v0 = 3.4028235e38f;
+    let v0 = 3.4028234663852886e38f;
     let v1 = x[0];
     let v2 = v0 < v1;
     let v3 = select(v1, v0, v2);
-    let v4 = -3.4028235e38f;
+    let v4 = -3.4028234663852886e38f;
     let v5 = v3 < v4;
     let v6 = select(v3, v4, v5);
     let v7 = v6 + 0.0;

@@ -1,0 +1,130 @@
+//! Points and polygons: distances, and what contains what.
+use crate::polygon_calls::{Bars, fill, in_format, in_runs, numbers, place, together};
+use crate::polygons::{Format, Polygons, rows, vectors};
+use geograd::Vec2;
+use geograd::ad::adjoint::polygon as adjoint;
+use geograd::polygon::Fill;
+use numpy::{PyArray1, PyArrayDyn};
+use pyo3::prelude::*;
+
+type Object<'py> = Bound<'py, PyAny>;
+
+/// The signed distance of points and polygons, negative inside, or with `is_of_area` the distance from what the border
+/// encloses; with cotangents of these those of points and vertices.
+#[pyfunction]
+#[pyo3(signature = (points, polygons, rule, is_of_area, upstream=None))]
+pub fn polygon_distance<'py>(
+    py: Python<'py>,
+    points: &Object<'py>,
+    polygons: &Polygons,
+    rule: &str,
+    is_of_area: bool,
+    upstream: Option<&Object<'py>>,
+) -> PyResult<Object<'py>> {
+    let is_double = points.cast::<PyArrayDyn<f64>>().is_ok();
+    in_format!(
+        is_double,
+        distanced(py, points, polygons, fill(rule)?, is_of_area, upstream)
+    )
+}
+
+fn distanced<'py, T: Format>(
+    py: Python<'py>,
+    points: &Object<'py>,
+    own: &Polygons,
+    fill: Fill,
+    is_of_area: bool,
+    upstream: Option<&Object<'py>>,
+) -> PyResult<Object<'py>> {
+    let (points, vertices) = (vectors::<T>(points)?, T::of(&own.vertices));
+    let (of_points, of_polygons) = (points.len(), own.layout.len());
+    let count = together(("points", of_points), ("polygons", of_polygons))?;
+    let zero = T::narrowed(0.0);
+    let pair = |i: usize| {
+        (
+            points[place(of_points, i)],
+            own.layout.item(&vertices, place(of_polygons, i)),
+        )
+    };
+    let known = |point: Vec2<T>, distance: T| match point.is_finite() {
+        false => T::narrowed(f64::NAN),
+        true if is_of_area && distance < zero => zero,
+        true => distance,
+    };
+    let mean = vertices.len() / of_polygons.max(1);
+    let work = count.saturating_mul(mean + 1);
+    let Some(upstream) = upstream else {
+        let runs = in_runs(py, count, work, |run| {
+            let values = run.map(pair);
+            let values = values.map(|(at, rings)| known(at, rings.signed_distance(at, fill)));
+            values.collect::<Vec<T>>()
+        })?;
+        return Ok(PyArray1::from_vec(py, runs.concat()).into_any());
+    };
+    let upstream = numbers::<T>(upstream)?;
+    let runs = in_runs(py, count, work, |run| {
+        let mut bars = Bars::<T>::new(own, &run);
+        let (mut values, mut by_points) = (Vec::with_capacity(run.len()), Vec::new());
+        for i in run {
+            let (at, rings) = pair(i);
+            let mut by_point = Vec2::zero();
+            let value = rings.signed_distance(at, fill);
+            // Inside of an area the distance from it is flat.
+            if at.is_finite() && !(is_of_area && value < zero) {
+                let item = place(of_polygons, i);
+                let into = bars.added(own, item);
+                adjoint::signed_distance_vjp(at, rings, fill, upstream[i], &mut by_point, into);
+            }
+            by_points.push(by_point);
+            values.push(known(at, value));
+        }
+        (values, by_points, bars)
+    })?;
+    let (mut values, mut by_points, mut bars) = (Vec::new(), Vec::new(), Vec::new());
+    for (own, by, bar) in runs {
+        values.extend(own);
+        by_points.extend(by);
+        bars.push(bar);
+    }
+    // One point that stands for all has the sum of their derivatives, as one polygon has.
+    if of_points == 1 && count != 1 {
+        by_points = vec![by_points.iter().fold(Vec2::zero(), |sum, &by| sum + by)];
+    }
+    let bars = (rows(py, &by_points)?, rows(py, &Bars::joined(own, bars))?);
+    Ok((PyArray1::from_vec(py, values), bars)
+        .into_pyobject(py)?
+        .into_any())
+}
+
+/// True where a polygon contains a point; its border belongs to it.
+#[pyfunction]
+pub fn polygon_contains<'py>(
+    py: Python<'py>,
+    points: &Object<'py>,
+    polygons: &Polygons,
+    rule: &str,
+) -> PyResult<Object<'py>> {
+    let is_double = points.cast::<PyArrayDyn<f64>>().is_ok();
+    in_format!(is_double, contained(py, points, polygons, fill(rule)?))
+}
+
+fn contained<'py, T: Format>(
+    py: Python<'py>,
+    points: &Object<'py>,
+    own: &Polygons,
+    fill: Fill,
+) -> PyResult<Object<'py>> {
+    let (points, vertices) = (vectors::<T>(points)?, T::of(&own.vertices));
+    let (of_points, of_polygons) = (points.len(), own.layout.len());
+    let count = together(("points", of_points), ("polygons", of_polygons))?;
+    let mean = vertices.len() / of_polygons.max(1);
+    let runs = in_runs(py, count, count.saturating_mul(mean + 1), |run| {
+        let inside = run.map(|i| {
+            let at = points[place(of_points, i)];
+            let rings = own.layout.item(&vertices, place(of_polygons, i));
+            at.is_finite() && rings.contains(at, fill)
+        });
+        inside.collect::<Vec<bool>>()
+    })?;
+    Ok(PyArray1::from_vec(py, runs.concat()).into_any())
+}

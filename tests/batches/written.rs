@@ -1,0 +1,100 @@
+//! Cases for programs in other languages: inputs of rows, and the results that the library has for them.
+use geograd::Real;
+use geograd::ad::sample::Draw;
+use geograd::kernels::dynamic::{Mode, Program, Rows, Sort};
+use geograd_tests::list::{self, Tested, are_sampled, columns};
+
+/// Inputs of a row.
+const COUNT: usize = 30;
+
+/// The rows whose text has each helper of a language, and some of the longest.
+const ALWAYS: &[&str] = &[
+    "iou_obb2",
+    "giou_obb2",
+    "ciou_obb2",
+    "iou_obb3",
+    "signed_distance_obb2",
+    "kullback_leibler_obb2",
+];
+
+/// A program, inputs of it, and their results.
+pub struct Case<T: Real> {
+    pub name: String,
+    pub program: Program<T>,
+    pub inputs: Vec<Vec<T>>,
+    pub expected: Vec<Vec<T>>,
+}
+
+/// Returns items of a batch, of which the results are columns.
+fn by_item<T: Real>(results: &[Vec<T>], count: usize) -> Vec<Vec<T>> {
+    let item = |i: usize| {
+        let own = |column: &Vec<T>| {
+            let width = column.len() / count;
+            column[i * width..(i + 1) * width].to_vec()
+        };
+        results.iter().flat_map(own).collect()
+    };
+    (0..count).map(item).collect()
+}
+
+/// Returns the value of a row, and its derivatives: the gradient of one number, of more the adjoint.
+pub fn cases<T: Real>(row: &Tested) -> [Case<T>; 2] {
+    let (operation, name) = (&row.operation, row.name());
+    let program = operation.program::<T>().expect(name);
+    let mut hard = row.hard().into_iter().step_by(7).take(COUNT / 2);
+    let drawn = |draw: &mut Draw| hard.next().unwrap_or_else(|| row.random(draw));
+    let inputs = list::inputs::<T>(row, COUNT, drawn);
+    let batch = |mode: Mode, items: &[Vec<T>], widths: &[usize]| {
+        let function = operation.function::<T>(mode).expect(name);
+        let mut lists = columns(row, items);
+        if mode == Mode::Vjp {
+            let from = lists.iter().map(|x| x.len() / items.len()).sum::<usize>();
+            lists.push(items.iter().flat_map(|x| x[from..].to_vec()).collect());
+        }
+        let lists = lists.iter().zip(widths);
+        let rows: Vec<_> = lists.map(|(list, &width)| Rows::new(list, width)).collect();
+        by_item(&function.aligned(&rows).expect(name), items.len())
+    };
+    let layouts = operation.layouts::<T>();
+    let mut widths: Vec<usize> = layouts.iter().map(|x| x.fields()).collect();
+    let outputs = list::outputs(row);
+    let (derivatives, mode) = match outputs {
+        1 => (program.value_grad().expect(name), Mode::ValueGrad),
+        _ => (program.vjp().expect(name), Mode::Vjp),
+    };
+    let value = batch(Mode::Value, &inputs, &widths);
+    let mut with_factors = inputs.clone();
+    if mode == Mode::Vjp {
+        let mut draw = Draw::new(3);
+        for item in &mut with_factors {
+            item.extend((0..outputs).map(|_| T::lit(draw.within(-2.0, 2.0))));
+        }
+        widths.push(outputs);
+    }
+    let expected = batch(mode, &with_factors, &widths);
+    [
+        Case {
+            name: name.to_owned(),
+            program,
+            inputs,
+            expected: value,
+        },
+        Case {
+            name: format!("{name}_derivatives"),
+            program: derivatives,
+            inputs: with_factors,
+            expected,
+        },
+    ]
+}
+
+/// Returns the rows that are straight lines, of which a test takes some.
+pub fn straight() -> Vec<&'static Tested> {
+    let mut all = list::rows();
+    all.retain(|row| row.operation.sort == Sort::Straight);
+    // Shapes with whole numbers have no program.
+    all.retain(|row| row.operation.program::<f64>().is_ok());
+    let chosen = are_sampled(all.iter().map(|row| row.name()).collect(), ALWAYS);
+    all.retain(|row| chosen.contains(row.name()));
+    all
+}
