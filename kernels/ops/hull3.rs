@@ -1,5 +1,5 @@
 //! Distances of convex hulls of space as operations, with a search.
-use crate::distance3::hulls::{HullRecord, hulls_replay, hulls_search};
+use crate::distance3::hulls::{HullRecord, hulls_guard, hulls_replay, hulls_search};
 use crate::distance3::{Contact3, PointPair3};
 use crate::kernels::verbs::{ClosestPoints, Distance, Penetration, SignedDistance};
 use crate::{Capsule3, Hull3, Obb3, Sphere, Vec3};
@@ -59,9 +59,8 @@ macro_rules! hull_rows {
             #[inline]
             fn apply(a: $A, b: Hull3<S, N>) -> $out {
                 use crate::kernels::call::search::Search;
-                crate::scalar::guarded((a, b), |both| {
-                    Item::<N>::replay(both, Item::<N>::decide(both))
-                })
+                let record = Item::<N>::decide((a, b));
+                hulls_guard(&a, &b).result(Item::<N>::replay((a, b), record))
             }
         }
     }; )*

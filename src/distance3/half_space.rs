@@ -7,7 +7,7 @@ use super::round::Revolved;
 use crate::arrays::Each;
 use crate::distance::edge::scale_of;
 use crate::distance::share::Best;
-use crate::scalar::largest;
+use crate::scalar::{Guard, largest};
 use crate::shape::{Cone, Cylinder, Plane3};
 use crate::{Pack, Scalar, Vec3};
 
@@ -16,6 +16,11 @@ pub(crate) trait Bounded: Copy + Pack<Scalar: Scalar> {
     /// Returns the least of `normal · point`, given a normal of length one, and a point of the shape there. Points that
     /// tie share the derivative, and the point is their mean.
     fn lowest(self, normal: Vec3<Self::Scalar>) -> (Self::Scalar, Vec3<Self::Scalar>);
+    /// Returns a guard with the numbers that matter: by default with all.
+    #[inline(always)]
+    fn with_numbers(&self, guard: Guard<Self::Scalar>) -> Guard<Self::Scalar> {
+        guard.and(self)
+    }
 }
 
 impl<A: InflatedCore> Bounded for A {

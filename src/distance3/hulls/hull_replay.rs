@@ -1,6 +1,6 @@
 //! The relation of two hulls from the features that a search found: straight lines.
 use super::super::between::derived;
-use super::super::core::Core;
+use super::super::core::Core3;
 use super::super::near::{Edge, edge_near};
 use super::super::relation::{Relation, direction};
 use super::super::simplex::{SimplexCore, TriangleCore, on_face};

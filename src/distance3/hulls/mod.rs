@@ -33,7 +33,7 @@ mod patch;
 
 use super::apart::Apart;
 use super::aside;
-use super::core::Core;
+use super::core::Core3;
 use super::cored::InflatedCore;
 use super::half_space::Bounded;
 use super::near::Low;
@@ -41,13 +41,11 @@ use super::relation::Relation;
 use super::spot::{plain, vanish};
 use crate::distance::share::Best;
 use crate::scalar::Guard;
-use crate::{Hull3, Scalar, Vec3};
+use crate::{Hull3, Pack, Scalar, Vec3};
 pub use hull_record::{FeaturePair, HullFeatures, HullRecord};
 
 /// A convex shape with corners: their hull, inflated by a radius.
-pub trait Cornered: Copy {
-    /// Its numbers.
-    type Scalar: Scalar;
+pub(crate) trait Cornered: Copy + Pack<Scalar: Scalar> {
     /// The corners.
     type Corners: AsRef<[Vec3<Self::Scalar>]>;
     /// `true` if the radius may be other than zero.
@@ -63,15 +61,17 @@ pub trait Cornered: Copy {
     /// Returns the radius of the inflation.
     fn inflation(&self) -> Self::Scalar;
     /// Returns a guard with its numbers.
-    fn with_guard(&self, guard: Guard<Self::Scalar>) -> Guard<Self::Scalar>;
+    #[inline]
+    fn with_guard(&self, guard: Guard<Self::Scalar>) -> Guard<Self::Scalar> {
+        guard.and(self)
+    }
     /// Returns the growth of the extent along a direction by sides of length zero: the value zero, with the derivative
     /// by these sides.
     fn widening(&self, normal: Vec3<Self::Scalar>) -> Self::Scalar;
 }
 
 impl<A: InflatedCore> Cornered for A {
-    type Scalar = A::Scalar;
-    type Corners = <A::Core as Core<A::Scalar>>::Corners;
+    type Corners = <A::Core as Core3<A::Scalar>>::Corners;
     const ROUNDED: bool = A::ROUND;
     #[inline]
     fn middle(&self) -> Option<Vec3<A::Scalar>> {
@@ -86,10 +86,6 @@ impl<A: InflatedCore> Cornered for A {
         InflatedCore::radius(self)
     }
     #[inline]
-    fn with_guard(&self, guard: Guard<A::Scalar>) -> Guard<A::Scalar> {
-        self.guarded(guard)
-    }
-    #[inline]
     fn widening(&self, normal: Vec3<A::Scalar>) -> A::Scalar {
         let core = self.core();
         let core = core.placed(core.anchor(), A::Scalar::one());
@@ -98,7 +94,6 @@ impl<A: InflatedCore> Cornered for A {
 }
 
 impl<S: Scalar, const N: usize> Cornered for Hull3<S, N> {
-    type Scalar = S;
     type Corners = [Vec3<S>; N];
     const ROUNDED: bool = false;
     #[inline]
@@ -155,7 +150,7 @@ fn numbers<S: Scalar>(corners: &[Vec3<S>]) -> Option<Vec<Vec3<f64>>> {
 /// Returns the features that decide about the relation of a hull and another shape with corners. Those of shapes that
 /// are not finite are their first corners.
 #[must_use]
-pub fn hulls_search<S, A, B>(a: &A, b: &B) -> HullRecord
+pub(crate) fn hulls_search<S, A, B>(a: &A, b: &B) -> HullRecord
 where
     S: Scalar<Mask = bool>,
     A: Cornered<Scalar = S>,
@@ -194,7 +189,7 @@ fn noted<P: Scalar>(record: &HullRecord) {
 
 /// Returns the relation of two shapes from the record of [`hulls_search`]. Ties share the derivative equally.
 #[must_use]
-pub fn hulls_replay<S, A, B>(a: &A, b: &B, record: &HullRecord) -> Relation<S>
+pub(crate) fn hulls_replay<S, A, B>(a: &A, b: &B, record: &HullRecord) -> Relation<S>
 where
     S: Scalar,
     A: Cornered<Scalar = S>,
@@ -226,6 +221,16 @@ where
     }
 }
 
+/// Returns a guard of the numbers of two shapes.
+pub(crate) fn hulls_guard<S, A, B>(a: &A, b: &B) -> Guard<S>
+where
+    S: Scalar,
+    A: Cornered<Scalar = S>,
+    B: Cornered<Scalar = S>,
+{
+    b.with_guard(a.with_guard(Guard::new()))
+}
+
 /// Returns the longest distance of corners of two shapes, with both radii.
 fn farthest<S, A, B>(a: &A, b: &B) -> S
 where
@@ -252,7 +257,7 @@ macro_rules! apart {
             type Scalar = S;
             #[inline]
             fn guarded_with(&self, other: &$B) -> Guard<S> {
-                other.with_guard(self.with_guard(Guard::new()))
+                hulls_guard(self, other)
             }
             #[inline]
             fn relation(self, other: $B) -> Relation<S> {
@@ -272,9 +277,8 @@ apart! {
 }
 
 impl<S: Scalar, const N: usize> Bounded for Hull3<S, N> {
-    type Scalar = S;
     #[inline]
-    fn all_guarded(&self, guard: Guard<S>) -> Guard<S> {
+    fn with_numbers(&self, guard: Guard<S>) -> Guard<S> {
         self.with_guard(guard)
     }
     #[inline]
