@@ -50,14 +50,15 @@
 //! | half-space | d q S c p - | d q S c p - | d q S c p - | d q S c P - | d q S c p - | d q S c p - | d q S c P - | d q S c p - |
 //! | cylinder | D q S c p f | d q S c p f | - | - | - | - | - | - |
 //! | cone | D q S c p f | d q S c p f | - | - | - | - | - | - |
-//! | hull | D q S c p f | d q S c p f | d q s c p f | d q S c p f | d q s c p f | d q s c p f | D q S c P f | d q s c p f |
+//! | hull | D q S C p f | D q S C P f | D q s c p f | D q S C P f | D q S c p f | D q S c p f | D q S C P f | D q S c P f |
 //!
 //! | line | D q s C p - | d q S c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - |
 //! | ray | D q s c p - | d q S c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - |
 //!
-//! Two hulls have D q S C P f, a half-space and a hull d q s c p. A half-space and a cylinder or a cone have d q S c p; lines and rays have d q s c p among themselves, any two D, two
-//! lines C, too. For a solid, the part of them near it counts; its ends are rounded as the solid's corners are. Rays,
-//! lines and segments against solids: [`intersection3`](crate::intersection3).
+//! Two hulls have D q S C P f, a half-space and a hull d q S c P. A half-space and a cylinder or a cone have d q S c p;
+//! lines and rays have d q s c p among themselves, any two D, two lines C, too. For a solid, the part of them near it
+//! counts; its ends are rounded as the solid's corners are. Rays, lines and segments against solids:
+//! [`intersection3`](crate::intersection3).
 //!
 //! # Derivatives
 //!

@@ -1,4 +1,5 @@
 //! The nearest points of two hulls of plain numbers (Gilbert, Johnson, Keerthi 1988), with a bound from below.
+use super::highest_point::PointColumns;
 use crate::Vec3;
 
 /// What the iteration found.
@@ -15,21 +16,9 @@ pub(super) struct Gap {
 /// The number of steps after which it ends, right or not; hulls need about five.
 const STEPS: usize = 64;
 
-/// Returns the corner that is the lowest along a direction.
-fn lowest(points: &[Vec3<f64>], way: Vec3<f64>) -> Vec3<f64> {
-    let (mut best, mut least) = (points[0], f64::INFINITY);
-    for &point in points {
-        let height = way.dot(point - points[0]);
-        if height < least {
-            (best, least) = (point, height);
-        }
-    }
-    best
-}
-
 /// Returns the point of b's hull less a's that is the lowest along a direction.
-fn support(a: &[Vec3<f64>], b: &[Vec3<f64>], way: Vec3<f64>) -> Vec3<f64> {
-    lowest(b, way) - lowest(a, -way)
+fn support([a, b]: &[PointColumns; 2], way: Vec3<f64>) -> Vec3<f64> {
+    b.highest(-way).1 - a.highest(way).1
 }
 
 /// Returns the weights of the point of a segment that is nearest to the origin.
@@ -100,10 +89,10 @@ fn nearest(simplex: &[Vec3<f64>]) -> Option<[f64; 4]> {
 }
 
 /// Returns the nearest points of two hulls, which have at least a corner each.
-pub(super) fn gap(a: &[Vec3<f64>], b: &[Vec3<f64>]) -> Gap {
+pub(super) fn gap(hulls: &[PointColumns; 2]) -> Gap {
     const PROGRESS: f64 = 1e-15;
     const NONE: f64 = 1e-30;
-    let mut way = b[0] - a[0];
+    let mut way = hulls[1].point(0) - hulls[0].point(0);
     let (mut simplex, mut count) = ([way; 4], 1);
     let (mut least, mut size) = (0.0_f64, way.length_squared());
     for _ in 0..STEPS {
@@ -115,7 +104,7 @@ pub(super) fn gap(a: &[Vec3<f64>], b: &[Vec3<f64>]) -> Gap {
                 inside: true,
             };
         }
-        let lowest = support(a, b, way);
+        let lowest = support(hulls, way);
         size = size.max(lowest.length_squared());
         let height = way.dot(lowest);
         least = least.max(height / square.sqrt());

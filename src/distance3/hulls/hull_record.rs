@@ -95,6 +95,15 @@ impl HullRecord {
             inside,
         }
     }
+    /// Returns `true` if a feature has one of two corners: a corner of a, a corner of b.
+    pub(crate) fn names(&self, [of_a, of_b]: [Option<usize>; 2]) -> bool {
+        let has = |corners: [u8; 3], corner: Option<usize>| {
+            corner.is_some_and(|corner| corners.iter().any(|&name| usize::from(name) == corner))
+        };
+        self.features()
+            .iter()
+            .any(|features| has(features.a, of_a) || has(features.b, of_b))
+    }
     /// Returns the features that tie.
     #[must_use]
     pub fn features(&self) -> &[HullFeatures] {

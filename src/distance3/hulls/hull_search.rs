@@ -1,6 +1,8 @@
 //! The search for the features of two hulls that decide about their relation.
 use super::body::Body;
+use super::expansion;
 use super::gjk::{Gap, gap};
+use super::highest_point::PointColumns;
 use super::hull_record::{FeaturePair, HullFeatures, HullRecord, spanning};
 use super::near_features::{Near, edges, from_edge, nearest, of_edges};
 use super::parting_planes as planes;
@@ -36,10 +38,16 @@ fn scaled(a: &mut [Vec3<f64>], b: &mut [Vec3<f64>]) {
 pub(super) fn search(mut a: Vec<Vec3<f64>>, mut b: Vec<Vec3<f64>>, rounding: f64) -> HullRecord {
     scaled(&mut a, &mut b);
     let slack = TIED * rounding;
-    let seen = gap(&a, &b);
+    let columns = [&a, &b].map(|points| PointColumns::new(points, a[0]));
+    let seen = gap(&columns);
     let apart = !seen.inside && seen.least > CLEAR;
-    if apart && let Some(features) = few(&a, &b, seen, slack) {
+    if apart && let Some(features) = few([&a, &b], &columns, seen, slack) {
         return HullRecord::new(&[features], false);
+    }
+    if seen.inside
+        && let Some(features) = expansion::deepest([&a, &b], &columns, CLEAR, slack)
+    {
+        return HullRecord::new(&features, true);
     }
     let (of_a, of_b) = (Body::of(&a, rounding), Body::of(&b, rounding));
     let planes = match apart {
@@ -61,7 +69,7 @@ pub(super) fn search(mut a: Vec<Vec3<f64>>, mut b: Vec<Vec3<f64>>, rounding: f64
     }
     let mut all = Vec::new();
     for (number, plane) in planes.iter().enumerate() {
-        let found = patch::features(&of_a, &of_b, plane, slack);
+        let found = patch::features((&of_a).into(), (&of_b).into(), plane, slack);
         all.extend(found.into_iter().map(|features| HullFeatures {
             plane: number.min(255) as u8,
             ..features
@@ -78,90 +86,127 @@ fn alone(mut all: Vec<HullFeatures>) -> Vec<HullFeatures> {
     all
 }
 
-/// Returns the corners lowest along a direction, if they are three at most.
-fn lowest(points: &[Vec3<f64>], way: Vec3<f64>, slack: f64) -> Option<(f64, Vec<usize>)> {
-    let heights = points.iter().map(|&point| way.dot(point - points[0]));
-    let least = heights.clone().fold(f64::INFINITY, f64::min);
-    let low = heights
-        .enumerate()
-        .filter(|(_, height)| *height <= least + slack);
-    let corners: Vec<usize> = low.map(|(k, _)| k).take(4).collect();
-    (corners.len() < 4).then_some((least, corners))
+/// The corners of a hull that are the lowest along a direction, three at most.
+struct Low {
+    all: [usize; 3],
+    count: usize,
+}
+
+impl Low {
+    /// Returns those up to a slack over the lowest point; `None` of more.
+    fn of(points: &[Vec3<f64>], way: Vec3<f64>, lowest: Vec3<f64>, slack: f64) -> Option<Self> {
+        let (mut all, mut count) = ([0; 3], 0);
+        for (k, &point) in points.iter().enumerate() {
+            if way.dot(point - lowest) <= slack {
+                *all.get_mut(count)? = k;
+                count += 1;
+            }
+        }
+        Some(Low { all, count })
+    }
+    fn corners(&self) -> &[usize] {
+        &self.all[..self.count]
+    }
+    /// Returns the segments between them.
+    fn sides(&self) -> impl Iterator<Item = [usize; 2]> {
+        let [i, j, k] = self.all;
+        let count = [0, 0, 1, 3][self.count];
+        [[i, j], [j, k], [i, k]].into_iter().take(count)
+    }
+    fn face(&self) -> Option<[usize; 3]> {
+        (self.count == 3).then_some(self.all)
+    }
+}
+
+/// The nearest of some features, and the distance of the second nearest.
+struct Nearest {
+    first: Option<Near>,
+    second: f64,
+}
+
+impl Nearest {
+    fn add(&mut self, distance: f64, features: HullFeatures) {
+        let least = self.first.map_or(f64::INFINITY, |near| near.distance);
+        self.second = self.second.min(least.max(distance));
+        if distance < least {
+            self.first = Some(Near { distance, features });
+        }
+    }
 }
 
 /// Returns the nearest features of hulls that are apart, of the few corners that are the nearest along the vector
 /// between them; `None` for more corners, for ties, and where the bound from below is not reached.
-fn few(a: &[Vec3<f64>], b: &[Vec3<f64>], seen: Gap, slack: f64) -> Option<HullFeatures> {
+fn few(
+    [a, b]: [&[Vec3<f64>]; 2],
+    columns: &[PointColumns; 2],
+    seen: Gap,
+    slack: f64,
+) -> Option<HullFeatures> {
     const REACHED: f64 = 1e-12;
     let way = seen.way * (1.0 / seen.way.length());
     let low = LOW.max(4.0 * slack);
-    let (high_a, of_a) = lowest(a, -way, low)?;
-    let (low_b, of_b) = lowest(b, way, low)?;
-    let least = way.dot(b[0] - a[0]) + low_b + high_a;
-    let mut all: Vec<Near> = Vec::new();
-    let mut add = |distance: Option<f64>, features: HullFeatures| {
-        all.extend(distance.map(|distance| Near { distance, features }));
+    let (high_a, low_b) = (a[columns[0].highest(way).0], b[columns[1].highest(-way).0]);
+    let of_a = Low::of(a, -way, high_a, low)?;
+    let of_b = Low::of(b, way, low_b, low)?;
+    let mut all = Nearest {
+        first: None,
+        second: f64::INFINITY,
     };
-    let sides = |corners: &[usize]| -> Vec<[usize; 2]> {
-        let n = corners.len();
-        let all = [(0, 1), (1, 2), (0, 2)];
-        let held = all.iter().filter(|&&(_, to)| to < n);
-        held.map(|&(from, to)| [corners[from], corners[to]])
-            .collect()
-    };
-    let (sides_a, sides_b) = (sides(&of_a), sides(&of_b));
-    for &i in &of_a {
-        for &j in &of_b {
-            let distance = (b[j] - a[i]).length();
-            add(
-                Some(distance),
-                HullFeatures::new(FeaturePair::Corners, &[i], &[j]),
-            );
+    for &i in of_a.corners() {
+        for &j in of_b.corners() {
+            let features = HullFeatures::new(FeaturePair::Corners, &[i], &[j]);
+            all.add((b[j] - a[i]).length(), features);
         }
-        for side in &sides_b {
-            let distance = from_edge(side.map(|k| b[k]), a[i]);
-            add(
-                distance,
-                HullFeatures::new(FeaturePair::CornerEdge, &[i], side),
-            );
+        for side in of_b.sides() {
+            if let Some(distance) = from_edge(side.map(|k| b[k]), a[i]) {
+                all.add(
+                    distance,
+                    HullFeatures::new(FeaturePair::CornerEdge, &[i], &side),
+                );
+            }
         }
     }
-    for side in &sides_a {
-        for &j in &of_b {
-            let distance = from_edge(side.map(|k| a[k]), b[j]);
-            add(
-                distance,
-                HullFeatures::new(FeaturePair::EdgeCorner, side, &[j]),
-            );
+    for side in of_a.sides() {
+        for &j in of_b.corners() {
+            if let Some(distance) = from_edge(side.map(|k| a[k]), b[j]) {
+                all.add(
+                    distance,
+                    HullFeatures::new(FeaturePair::EdgeCorner, &side, &[j]),
+                );
+            }
         }
-        for other in &sides_b {
-            let distance = of_edges(side.map(|k| a[k]), other.map(|k| b[k]));
-            add(distance, edges(a, *side, b, *other));
-        }
-    }
-    if let [_, _, _] = of_a[..] {
-        let face = spanning(a, &of_a, way);
-        for &j in &of_b {
-            let features = HullFeatures::new(FeaturePair::FaceCorner, &face, &[j]);
-            add(over(face.map(|k| a[k]), b[j]), features);
+        for other in of_b.sides() {
+            if let Some(distance) = of_edges(side.map(|k| a[k]), other.map(|k| b[k])) {
+                all.add(distance, edges(a, side, b, other));
+            }
         }
     }
-    if let [_, _, _] = of_b[..] {
-        let face = spanning(b, &of_b, -way);
-        for &i in &of_a {
-            let features = HullFeatures::new(FeaturePair::CornerFace, &[i], &face);
-            add(over(face.map(|k| b[k]), a[i]), features);
+    if let Some(corners) = of_a.face() {
+        let face = spanning(a, &corners, way);
+        for &j in of_b.corners() {
+            if let Some(distance) = over(face.map(|k| a[k]), b[j]) {
+                all.add(
+                    distance,
+                    HullFeatures::new(FeaturePair::FaceCorner, &face, &[j]),
+                );
+            }
         }
     }
-    let best = all
-        .iter()
-        .map(|near| near.distance)
-        .fold(f64::INFINITY, f64::min);
-    let mut tied = all.iter().filter(|near| near.distance <= best + slack);
-    match (tied.next(), tied.next()) {
-        (Some(near), None) if (best - least).abs() <= REACHED => Some(near.features),
-        _ => None,
+    if let Some(corners) = of_b.face() {
+        let face = spanning(b, &corners, -way);
+        for &i in of_a.corners() {
+            if let Some(distance) = over(face.map(|k| b[k]), a[i]) {
+                all.add(
+                    distance,
+                    HullFeatures::new(FeaturePair::CornerFace, &[i], &face),
+                );
+            }
+        }
     }
+    let near = all.first?;
+    let least = way.dot(low_b - high_a);
+    let alone = all.second > near.distance + slack;
+    (alone && (near.distance - least).abs() <= REACHED).then_some(near.features)
 }
 
 /// Returns the height of a point over a triangle, if its foot is inside.

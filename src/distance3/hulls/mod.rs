@@ -1,9 +1,10 @@
 //! Distances of convex hulls: from each other, and from every shape that is the hull of a few corners with a radius.
 //!
 //! A search on plain numbers finds the features that are nearest, a corner, an edge or a face of each, or that lie in
-//! the planes that part the hulls best where these overlap. It iterates (GJK) where they are clearly apart, with a
-//! bound from below as proof; else it compares all faces and edges, whose order exact predicates decide. The replay
-//! evaluates the distance of these features, with first and second derivatives by pose and by vertices.
+//! the planes that part the hulls best where these overlap. It iterates where they are clearly apart (GJK) or clearly
+//! overlap (EPA), with bounds from both sides as proof; else, and without a proof, it compares all faces and edges, whose
+//! order exact predicates decide. The replay evaluates the distance of these features, with first and second derivatives
+//! by pose and by vertices.
 //!
 //! Features that are equally near, within a few roundings of the size, share the derivative and the point equally: for
 //! parallel faces all corners of their overlap, crossings of edges included. Of more than sixteen the first sixteen
@@ -23,7 +24,9 @@
 //!
 //! The search decides in `f64`, also for `f32`. Numbers over other formats have the features of the first vertices.
 mod body;
+mod expansion;
 mod gjk;
+mod highest_point;
 mod hull_record;
 mod hull_replay;
 mod hull_search;

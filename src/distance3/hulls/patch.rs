@@ -11,9 +11,25 @@ struct Patch {
     seen: Vec<Vec2<f64>>,
 }
 
+/// The corners of a hull that may be in a plane.
+#[derive(Clone, Copy)]
+pub(super) struct Side<'a> {
+    pub points: &'a [Vec3<f64>],
+    pub corners: &'a [usize],
+}
+
+impl<'a> From<&'a Body<'_>> for Side<'a> {
+    fn from(body: &'a Body<'_>) -> Self {
+        Side {
+            points: body.points,
+            corners: &body.corners,
+        }
+    }
+}
+
 /// Returns the part of a hull in the plane through a corner, seen along two axes from a point.
 fn patch(
-    body: &Body<'_>,
+    body: Side<'_>,
     (corner, normal): (usize, Vec3<f64>),
     (from, axes): (Vec3<f64>, [Vec3<f64>; 2]),
     slack: f64,
@@ -88,7 +104,7 @@ fn cross([a, b]: [Vec2<f64>; 2], [c, d]: [Vec2<f64>; 2], slack: f64) -> bool {
 
 /// Returns the corners of the overlap of both hulls' parts in a plane, as features that define it; the given ones if
 /// rounding leaves none.
-pub(super) fn features(a: &Body<'_>, b: &Body<'_>, plane: &Plane, slack: f64) -> Vec<HullFeatures> {
+pub(super) fn features(a: Side<'_>, b: Side<'_>, plane: &Plane, slack: f64) -> Vec<HullFeatures> {
     let normal = plane.normal;
     let slack = slack.max(2.0 * BEYOND);
     let axis = match normal.x.abs() < 0.6 {

@@ -11,6 +11,7 @@ mod grazing;
 mod hull_draw;
 mod hull_faces;
 mod hull_oracle;
+mod hull_sizes;
 mod hull_slopes;
 mod hulls;
 mod inertia;
