@@ -170,6 +170,13 @@ fn batches_have_the_bits_of_methods() {
             .zip(found)
             .all(|((&a, &b), found)| a.signed_distance(b) == found)
     );
+    let (_, slopes) = cpu.aligned(SignedDistance.value_grad(), (&a, &b)).unwrap();
+    for ((&a, &b), by) in all.clone().zip(slopes.0.iter().zip(&slopes.1)) {
+        let (_, slope) = gradient(|(a, b)| signed_distance(a, b), (a, b));
+        let apart = slope.scalars().into_iter().zip((*by.0, *by.1).scalars());
+        let most = apart.map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+        assert!(most < 1e-12, "{most} {slope:?} {by:?}");
+    }
     let found = cpu.aligned(Distance, (&a, &b)).unwrap();
     assert!(
         all.clone()
