@@ -124,8 +124,8 @@ fn points_that_are_not_the_nearest_are_refused() {
 #[test]
 fn distances_of_hulls_are_proved_in_both_formats() {
     let sampling = Sampling {
-        hard: 40,
-        ..Sampling::new(12, 5)
+        hard: 101,
+        ..Sampling::new(4, 5)
     };
     for name in ["signed_distance_hulls", "distance_sphere_hull"] {
         let row = list::row(name);
@@ -134,8 +134,8 @@ fn distances_of_hulls_are_proved_in_both_formats() {
             row.check::<f64>(&sampling, None).unwrap(),
         ] {
             assert!(report.passed(), "{report}");
-            assert!(report.worst[7].count > 10, "{report}");
-            assert!(report.worst[8].count > 2, "{report}");
+            assert!(report.worst[7].count > 4, "{report}");
+            assert!(report.worst[8].count > 0, "{report}");
         }
     }
 }
