@@ -249,6 +249,8 @@ pub enum VertexFault {
     Coincident,
     /// The vertex does not fit into the polygon's capacity.
     Surplus,
+    /// The vertex does not fit into the capacity of a hull in space.
+    Overfull,
     /// The next vertex coincides with this one.
     Repeated,
     /// The vertex is on the line through its neighbours.
@@ -270,6 +272,7 @@ impl fmt::Display for VertexFault {
                 "is at the place of an earlier one, and the ring has fewer than three places"
             }
             VertexFault::Surplus => "is beyond the polygon's capacity",
+            VertexFault::Overfull => "is beyond the hull's capacity",
             VertexFault::Repeated => "is repeated by the next one",
             VertexFault::Straight => "is on the line through its neighbours",
             VertexFault::Clockwise => "turns clockwise",

@@ -49,7 +49,7 @@
 //! | differentiate any generic function of shapes | [`ad`]: [`ad::gradient`], [`ad::hessian`], … |
 //! | use an adjoint by hand | [`ad::adjoint::overlap`], [`ad::adjoint::ring`] |
 //! | compute for many shapes at once | [`kernels::verbs`], [`kernels::cpu`] |
-//! | make a shape | [`Vec2`], [`Rotation2`], [`Pose2`], [`Aabb2`], [`Obb2`], [`ConvexPolygon`]; in space [`Vec3`], [`Pose3`], [`Aabb3`], [`Obb3`], [`YawBox3`], [`Capsule3`], [`Tetrahedron`]; all: [`shape`] |
+//! | make a shape | [`Vec2`], [`Rotation2`], [`Pose2`], [`Aabb2`], [`Obb2`], [`ConvexPolygon`]; in space [`Vec3`], [`Pose3`], [`Aabb3`], [`Obb3`], [`YawBox3`], [`Capsule3`], [`Tetrahedron`], [`Hull3`]; all: [`shape`] |
 //! | make a shape of your own | [`derive(Shape)`](macro@Shape) |
 //! | write generic geometry | [`Scalar`], [`Mask`], [`Pack`] |
 //! | port code from the paper's library (DGAL, d3d) | [`paper`] |
@@ -123,6 +123,7 @@ pub mod distance3;
 pub mod error;
 pub mod gaussian;
 pub mod hull;
+pub mod hull3;
 mod interop;
 pub mod intersection;
 pub mod intersection3;
@@ -213,10 +214,10 @@ pub mod prelude {
     pub use crate::pack::{Fixed as _, Pack as _};
     pub use crate::scalar::{Mask as _, Scalar};
     pub use crate::shape::{
-        Aabb2, Aabb3, Capsule2, Capsule3, Circle, Cone, ConvexPolygon, Cylinder, Interval, Line2,
-        Line3, Obb2, Obb3, Plane3, Pose2, Pose3, Ray2, Ray3, Rotation2, Rotation3, RoundBox3,
-        Segment2, Segment3, Sphere, Symmetric3, Tetrahedron, Triangle2, Triangle3, Vec2, Vec3,
-        YawBox3,
+        Aabb2, Aabb3, Capsule2, Capsule3, Circle, Cone, ConvexPolygon, Cylinder, Hull3, Interval,
+        Line2, Line3, Obb2, Obb3, Plane3, Pose2, Pose3, Ray2, Ray3, Rotation2, Rotation3,
+        RoundBox3, Segment2, Segment3, Sphere, Symmetric3, Tetrahedron, Triangle2, Triangle3, Vec2,
+        Vec3, YawBox3,
     };
 }
 
@@ -237,7 +238,8 @@ pub use product::Code;
 pub use rule::Rule;
 pub use scalar::{Jet, Lanes, Mask, Real, Scalar};
 pub use shape::{
-    Aabb2, Aabb3, Capsule2, Capsule3, Circle, Cone, ConvexPolygon, Cylinder, EulerOrder, Interval,
-    Line2, Line3, Obb2, Obb3, Plane3, Pose2, Pose3, Ray2, Ray3, Rotation2, Rotation3, RoundBox3,
-    Segment2, Segment3, Sphere, Symmetric3, Tetrahedron, Triangle2, Triangle3, Vec2, Vec3, YawBox3,
+    Aabb2, Aabb3, Capsule2, Capsule3, Circle, Cone, ConvexPolygon, Cylinder, EulerOrder, Hull3,
+    Interval, Line2, Line3, Obb2, Obb3, Plane3, Pose2, Pose3, Ray2, Ray3, Rotation2, Rotation3,
+    RoundBox3, Segment2, Segment3, Sphere, Symmetric3, Tetrahedron, Triangle2, Triangle3, Vec2,
+    Vec3, YawBox3,
 };

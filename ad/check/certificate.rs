@@ -73,7 +73,7 @@ fn aside(v: Vector, from: Vector) -> Vector {
 const ORTHOGONAL: f64 = 1e-14;
 
 impl Body {
-    /// Creates the hull of at most four corners.
+    /// Creates the hull of a few corners: planes along every three of them are tried.
     #[must_use]
     pub fn hull(corners: &[Vec3<f64>], radius: f64) -> Self {
         Body {

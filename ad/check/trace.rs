@@ -125,6 +125,10 @@ macro_rules! wrapped {
             self
         }
         #[inline(always)]
+        fn widened(self) -> Option<f64> {
+            Some(self.0.widen())
+        }
+        #[inline(always)]
         fn select(mask: bool, yes: Self, no: Self) -> Self {
             if mask { yes } else { no }
         }

@@ -70,7 +70,10 @@ impl Subject for WithSampling<'_> {
         Some(Box::new(WithSampling { subject, sampling }))
     }
     fn proof(&self, x: &[f64]) -> Option<Proof> {
-        self.sampling.proof.and_then(|proof| proof(x))
+        match self.sampling.proof {
+            Some(proof) => proof(x),
+            None => self.subject().proof(x),
+        }
     }
     fn inside(&self, x: &[f64]) -> bool {
         self.subject().inside(x) && self.sampling.inside.is_none_or(|inside| inside(x))

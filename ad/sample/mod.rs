@@ -9,6 +9,7 @@ mod clouds;
     expect(dead_code, reason = "only the harness asks for all of it")
 )]
 pub(crate) mod drawn;
+mod hulls;
 #[cfg(feature = "check")]
 pub(crate) mod lattice;
 mod own_shapes;

@@ -17,18 +17,25 @@ use std::sync::Arc;
 /// The number of inputs per replay on duals. A larger one needs fewer replays with larger duals.
 const AT_A_TIME: usize = 4;
 
-/// Returns the result on duals, with derivatives by inputs `first..first + AT_A_TIME`. `codes` are the input's.
+/// Returns the places of the numbers that a replay reads.
+fn places<D: Search>(record: &D::Record) -> Vec<usize> {
+    let all = 0..D::In::<f64>::LEN;
+    all.filter(|&place| D::reads(record, place)).collect()
+}
+
+/// Returns the result on duals, with derivatives by the numbers at up to `AT_A_TIME` places. `codes` are the input's.
 fn replayed<D: Search<In<<R as Pack>::Scalar> = R>, R: Item>(
     numbers: &[R::Scalar],
     codes: &[u32],
-    first: usize,
+    places: &[usize],
     record: D::Record,
 ) -> Vec<Jet<R::Scalar, AT_A_TIME>> {
-    let jets = numbers[..R::LEN].iter().enumerate();
-    let jets: Vec<Jet<R::Scalar, AT_A_TIME>> = jets
-        // Indices before `first` wrap around, so they mark no variable.
-        .map(|(i, &x)| Jet::variable(x, i.wrapping_sub(first)))
-        .collect();
+    // No place is so large, so that none is a variable.
+    let constant = |&x: &R::Scalar| Jet::variable(x, usize::MAX);
+    let mut jets: Vec<Jet<R::Scalar, AT_A_TIME>> = numbers[..R::LEN].iter().map(constant).collect();
+    for (k, &place) in places.iter().enumerate() {
+        jets[place] = Jet::variable(numbers[place], k);
+    }
     let moved = D::In::<Jet<R::Scalar, AT_A_TIME>>::load(&jets).load_codes(codes);
     D::replay::<Jet<R::Scalar, AT_A_TIME>>(moved, record).scalars()
 }
@@ -43,11 +50,11 @@ fn item_and_jacobian<D: Search<In<<R as Pack>::Scalar> = R>, R: Item>(
     let record = D::decide::<R::Scalar>(input);
     let codes: Vec<u32> = input.codes();
     let mut rows = vec![R::Scalar::default(); D::Out::<R::Scalar>::LEN * R::LEN];
-    for first in (0..R::LEN).step_by(AT_A_TIME) {
-        let replayed = replayed::<D, R>(&numbers, &codes, first, record);
+    for places in places::<D>(&record).chunks(AT_A_TIME) {
+        let replayed = replayed::<D, R>(&numbers, &codes, places, record);
         for (row, jet) in rows.chunks_exact_mut(R::LEN).zip(replayed) {
-            for (entry, derivative) in row[first..].iter_mut().zip(jet.derivative) {
-                *entry = derivative;
+            for (&place, derivative) in places.iter().zip(jet.derivative) {
+                row[place] = derivative;
             }
         }
     }
@@ -76,15 +83,15 @@ fn item<D: Search<In<<R as Pack>::Scalar> = R>, R: Item>(
     }
     let codes: Vec<u32> = input.codes();
     let mut bars = vec![R::Scalar::default(); R::LEN];
-    for first in (0..R::LEN).step_by(AT_A_TIME) {
-        let replayed = replayed::<D, R>(&numbers, &codes, first, record);
+    for places in places::<D>(&record).chunks(AT_A_TIME) {
+        let replayed = replayed::<D, R>(&numbers, &codes, places, record);
         for (k, jet) in replayed.into_iter().enumerate() {
             let by = out_bar.map_or(R::Scalar::one(), |out_bar| out_bar[k]);
-            for (bar, derivative) in bars[first..].iter_mut().zip(jet.derivative) {
-                *bar = if k == 0 {
+            for (&place, derivative) in places.iter().zip(jet.derivative) {
+                bars[place] = if k == 0 {
                     derivative * by
                 } else {
-                    *bar + derivative * by
+                    bars[place] + derivative * by
                 };
             }
         }

@@ -43,7 +43,9 @@ use crate::kernels::Backend;
 use crate::kernels::call::modes::recording_of;
 use crate::kernels::call::recording::Recording;
 use crate::kernels::call::search::Search;
+use crate::kernels::check::proofs::Proofs;
 use crate::kernels::check::recorded_subject::{ByHand, Computations, RecordedSubject};
+use crate::kernels::check::subject::ProofAt;
 use crate::kernels::check::witness::{
     Batch, ByMachine, ask_any, ask_folds, ask_gradient, ask_pairs,
 };
@@ -558,6 +560,18 @@ where
     D::In<f64>: Sample,
     D::Out<f64>: Sample,
 {
+    check_search_proved::<D, S>(sampling, None)
+}
+
+/// Runs every check of an operation with a search, with proofs of its values.
+pub(crate) fn check_search_proved<D: Search, S: Real>(
+    sampling: &Sampling<'_>,
+    proofs: Option<&Proofs<S>>,
+) -> Report
+where
+    D::In<f64>: Sample,
+    D::Out<f64>: Sample,
+{
     let kinship = const { Kinship::of::<D::In<f64>>() };
     let inputs = Cases::of(kinship, sampling, Precision::of::<S>());
     let report = judged(
@@ -566,7 +580,10 @@ where
         inputs,
         Vec::new(),
         &|x, _, judge| {
-            judge(&OpSubject::<S>::of::<Replayed<D>>(typed(x), &[], None));
+            let near: &D::In<f64> = typed(x);
+            let proof = |x: &[f64]| proofs?.at(x, &near.codes());
+            let proof = proofs.map(|_| &proof as ProofAt<'_>);
+            judge(&OpSubject::<S>::of::<Replayed<D>>(near, &[], None).with_proof(proof));
         },
     );
     Report {

@@ -2,8 +2,8 @@
 use crate::ad::check::certificate::{Body, Proof, Proved};
 use crate::kernels::dynamic::{Function, Operation, Rows};
 use crate::{
-    Aabb3, Capsule3, Cone, Cylinder, Fixed, Line3, Obb3, Plane3, Ray3, Real, RoundBox3, Segment3,
-    Sphere, Tetrahedron, Triangle3, Vec3, YawBox3,
+    Aabb3, Capsule3, Cone, Cylinder, Fixed, Hull3, Line3, Obb3, Plane3, Ray3, Real, RoundBox3,
+    Segment3, Sphere, Tetrahedron, Triangle3, Vec3, YawBox3,
 };
 
 /// Returns a box as a body, from its size and its axes.
@@ -12,11 +12,23 @@ fn boxed(center: Vec3<f64>, size: Vec3<f64>, axes: [Vec3<f64>; 3], radius: f64) 
     Body::boxed(center, [0, 1, 2].map(|k| axes[k] * half[k]), axes, radius)
 }
 
+/// The scalars and codes of some shapes, one shape after another.
+#[derive(Clone, Copy)]
+struct Numbers<'a> {
+    scalars: &'a [f64],
+    codes: &'a [u32],
+}
+
 /// Returns a shape as a body, and the numbers that follow it.
-fn body<'a>(shape: &str, x: &'a [f64]) -> Option<(Body, &'a [f64])> {
-    fn of<P: Fixed<Scalar = f64>>(x: &[f64], body: fn(P) -> Body) -> Option<(Body, &[f64])> {
-        let (own, rest) = x.split_at_checked(P::LEN)?;
-        Some((body(P::load(own)), rest))
+fn body<'a>(shape: &str, x: Numbers<'a>) -> Option<(Body, Numbers<'a>)> {
+    fn of<'a, P: Fixed<Scalar = f64>>(
+        x: Numbers<'a>,
+        body: fn(P) -> Body,
+    ) -> Option<(Body, Numbers<'a>)> {
+        let (own, scalars) = x.scalars.split_at_checked(P::LEN)?;
+        let (own_codes, codes) = x.codes.split_at_checked(P::CODES)?;
+        let shape = P::load(own).load_codes(own_codes);
+        Some((body(shape), Numbers { scalars, codes }))
     }
     match shape {
         "Vec3" => of(x, |p: Vec3<f64>| Body::hull(&[p], 0.0)),
@@ -73,6 +85,7 @@ fn body<'a>(shape: &str, x: &'a [f64]) -> Option<(Body, &'a [f64])> {
         "Ray3" => of(x, |ray: Ray3<f64>| {
             Body::line(ray.point, ray.direction, false)
         }),
+        "Hull3_8" => of(x, |hull: Hull3<f64, 8>| Body::hull(hull.as_slice(), 0.0)),
         _ => None,
     }
 }
@@ -108,7 +121,10 @@ impl<S: Real> Proofs<S> {
             _ => return None,
         };
         let shapes = row.row.shapes;
-        let known = |shape: &&str| body(shape, &[0.0; 16]).is_some();
+        let known = |shape: &&str| {
+            let (scalars, codes) = (&[0.0; 32][..], &[1; 2][..]);
+            body(shape, Numbers { scalars, codes }).is_some()
+        };
         if shapes.len() != 2 || !shapes.iter().all(known) {
             return None;
         }
@@ -120,8 +136,9 @@ impl<S: Real> Proofs<S> {
             points: points.and_then(Operation::value),
         })
     }
-    /// Returns the proof at an input.
-    pub(crate) fn at(&self, x: &[f64]) -> Option<Proof> {
+    /// Returns the proof at an input, given its scalars and its codes.
+    pub(crate) fn at(&self, scalars: &[f64], codes: &[u32]) -> Option<Proof> {
+        let x = Numbers { scalars, codes };
         let (a, rest) = body(self.shapes[0], x)?;
         let (b, _) = body(self.shapes[1], rest)?;
         Some(Proof {
@@ -133,15 +150,24 @@ impl<S: Real> Proofs<S> {
 }
 
 /// Returns the nearest points by a batch of one item.
-fn points<S: Real>(row: &Function<S>, x: &[f64]) -> Option<[Vec3<f64>; 2]> {
-    let list: Vec<S> = x.iter().map(|&x| S::nearest(x)).collect();
-    let mut rest = &list[..];
-    let mut columns = Vec::new();
+fn points<S: Real>(row: &Function<S>, x: Numbers<'_>) -> Option<[Vec3<f64>; 2]> {
+    let Numbers {
+        mut scalars,
+        mut codes,
+    } = x;
+    let mut shapes: Vec<Vec<S>> = Vec::new();
     for (_, layout) in row.takes() {
-        let (own, others) = rest.split_at_checked(layout.fields())?;
-        columns.push(Rows::new(own, layout.fields()));
-        rest = others;
+        let (own, others) = scalars.split_at_checked(layout.fields() - layout.codes())?;
+        let (own_codes, other_codes) = codes.split_at_checked(layout.codes())?;
+        let own_codes = own_codes.iter().map(|&code| f64::from(code));
+        let numbers = own.iter().copied().chain(own_codes);
+        shapes.push(numbers.map(S::nearest).collect());
+        (scalars, codes) = (others, other_codes);
     }
+    let columns: Vec<Rows<'_, S>> = shapes
+        .iter()
+        .map(|shape| Rows::new(shape, shape.len()))
+        .collect();
     let found: Vec<f64> = row
         .aligned(&columns)
         .ok()?

@@ -1,4 +1,5 @@
 //! An operation as a subject of the verification harness: its witnesses and its declared properties.
+use crate::ad::check::certificate::Proof;
 use crate::ad::check::noise::{Noisy, noisy};
 use crate::ad::check::subject::{Conventions, Subject};
 use crate::ad::check::trace::{Trace, Traced, num_duals, of_num_duals, trace};
@@ -25,8 +26,12 @@ pub struct OpSubject<'a, S: Real> {
     paths: &'a [Path<S>],
     fused: Option<Fused<S>>,
     batch: Option<&'a Batch<'a>>,
+    proof: Option<ProofAt<'a>>,
     stated: SourceProperties,
 }
+
+/// A function that proves the value at an input.
+pub(crate) type ProofAt<'a> = &'a dyn Fn(&[f64]) -> Option<Proof>;
 
 impl<S: Real> fmt::Debug for OpSubject<'_, S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -146,6 +151,7 @@ impl<'a, S: Real> OpSubject<'a, S> {
             paths,
             fused,
             batch: None,
+            proof: None,
             stated: SourceProperties {
                 outputs: O::Out::<S>::LEN,
                 output_kinds: || Sample::kinds(&O::Out::<f64>::filled(1.0)),
@@ -163,6 +169,12 @@ impl<'a, S: Real> OpSubject<'a, S> {
     #[must_use]
     pub fn with_batch(mut self, batch: Option<&'a Batch<'a>>) -> Self {
         self.batch = batch;
+        self
+    }
+    /// Adds proofs of the value.
+    #[must_use]
+    pub(crate) fn with_proof(mut self, proof: Option<ProofAt<'a>>) -> Self {
+        self.proof = proof;
         self
     }
 }
@@ -254,6 +266,9 @@ impl<S: Real> Subject for OpSubject<'_, S> {
     }
     fn wide(&self) -> Option<Box<dyn Subject + '_>> {
         (self.precision() == Precision::F32).then(|| Box::new(self.code.wide()) as Box<dyn Subject>)
+    }
+    fn proof(&self, x: &[f64]) -> Option<Proof> {
+        self.proof.and_then(|proof| proof(x))
     }
     fn inside(&self, x: &[f64]) -> bool {
         self.near.inside(x)

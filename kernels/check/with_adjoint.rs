@@ -113,6 +113,10 @@ impl<D: Search> WithAdjoint for Replayed<D> {
         }
         let mut bars = numbers;
         for (at, bar) in bars.iter_mut().enumerate() {
+            if !D::reads(&record, at) {
+                *bar = S::zero();
+                continue;
+            }
             jets[at].derivative[0] = S::one();
             let moved = D::In::<Jet<S, 1>>::load(&jets).load_codes(&codes);
             jets[at].derivative[0] = S::zero();

@@ -10,7 +10,7 @@ use crate::kernels::call::search::Search;
 use crate::kernels::check::proofs::Proofs;
 use crate::kernels::check::{
     Folded, LineCode, LineProperties, ScalarCode, WithAdjoint, check_fold_on, check_fold_with,
-    check_search_with, examined,
+    check_search_proved, examined,
 };
 use crate::kernels::dynamic::{self, Operation};
 use crate::kernels::fuzz::{self, Fuzzed, Job, LineSource, fuzzed_in};
@@ -163,7 +163,7 @@ fn check_straight<S: Real>(
             let kin = (row.inputs.kinship, row.inputs.name);
             let others = rows().iter().map(|row| &row.operation);
             let proofs = Proofs::<S>::of(&row.operation, others);
-            let proof = |x: &[f64]| proofs.as_ref()?.at(x);
+            let proof = |x: &[f64]| proofs.as_ref()?.at(x, &[]);
             let plan = &Sampling {
                 proof: plan.proof.or(Some(&proof)),
                 ..*plan
@@ -172,6 +172,21 @@ fn check_straight<S: Real>(
         }
         _ => unreachable!("a straight line is checked as one"),
     }
+}
+
+/// Checks a search.
+fn check_search<D: Search, S: Real>(
+    row: &Tested,
+    plan: &Sampling<'_>,
+    _: Option<Backend<'_>>,
+) -> Result<Report, Error>
+where
+    D::In<f64>: Sample,
+    D::Out<f64>: Sample,
+{
+    let others = rows().iter().map(|row| &row.operation);
+    let proofs = Proofs::<S>::of(&row.operation, others);
+    Ok(check_search_proved::<D, S>(plan, proofs.as_ref()))
 }
 
 /// Fuzzes a straight line.
@@ -278,7 +293,7 @@ impl Walk for RowList {
                     by_hand: |_, _| None,
                     num_dual: None,
                 },
-                check: |_, plan, _| Ok(check_search_with::<D, S>(plan)),
+                check: check_search::<D, S>,
                 fuzz: |_, count, seed| fuzz::decided::<D, S>(count, seed),
             }
         }

@@ -5,9 +5,9 @@ use crate::convention::{
 };
 use crate::iou::Exponent;
 use crate::{
-    Aabb2, Aabb3, Capsule2, Capsule3, Circle, Cone, ConvexPolygon, Cylinder, Interval, Line2,
-    Line3, Obb2, Obb3, Plane3, Pose2, Pose3, Ray2, Ray3, Rotation3, RoundBox3, Segment2, Segment3,
-    Sphere, Tetrahedron, Triangle2, Triangle3, Vec2, Vec3, YawBox3,
+    Aabb2, Aabb3, Capsule2, Capsule3, Circle, Cone, ConvexPolygon, Cylinder, Hull3, Interval,
+    Line2, Line3, Obb2, Obb3, Plane3, Pose2, Pose3, Ray2, Ray3, Rotation3, RoundBox3, Segment2,
+    Segment3, Sphere, Tetrahedron, Triangle2, Triangle3, Vec2, Vec3, YawBox3,
 };
 
 /// A shape in the documentation and the invariances of a row.
@@ -110,6 +110,8 @@ nouns! {
     [] Segment3<f64>:    "segment",  "a segment of space",         "two segments of space",         SPACE;
     [] Triangle3<f64>:   "triangle", "a triangle of space",        "two triangles of space",        SPACE;
     [] Tetrahedron<f64>: "solid",    "a tetrahedron",              "two tetrahedra",                SPACE;
+    [const N: usize] Hull3<f64, N>:
+                         "hull",     "a convex hull",              "two convex hulls",              SPACE;
     [] Sphere<f64>:      "ball",     "a ball",                     "two balls",                     SPACE;
     [] Capsule3<f64>:    "capsule",  "a capsule of space",         "two capsules of space",         SPACE;
     [] Cylinder<f64>:    "cylinder", "a cylinder",                 "two cylinders",                 SPACE;

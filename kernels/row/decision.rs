@@ -18,4 +18,9 @@ pub trait Search: Declares {
     fn decide<S: Scalar<Mask = bool>>(input: Self::In<S>) -> Self::Record;
     /// Returns the result from the input and the decisions.
     fn replay<S: Scalar>(input: Self::In<S>, record: Self::Record) -> Self::Out<S>;
+    /// Returns `false` for a number of the input, by its place among the scalars, by which the replay's derivative is
+    /// zero: duals leave it out. By default no number is left out.
+    fn reads(_record: &Self::Record, _place: usize) -> bool {
+        true
+    }
 }

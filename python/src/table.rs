@@ -151,10 +151,10 @@ impl Table {
     }
 }
 
-/// Returns the name of a shape as an identifier of Python: `ConvexPolygon6` for `ConvexPolygon<6>`, `Vec2x4` for
-/// `[Vec2; 4]`.
+/// Returns the name of a shape as an identifier of Python: `ConvexPolygon6` for `ConvexPolygon<6>`, `Hull3_8` for
+/// `Hull3<8>`, `Vec2x4` for `[Vec2; 4]`.
 fn identifier(name: &str) -> String {
-    let name = name.replace("; ", "x");
+    let name = name.replace("; ", "x").replace("3<", "3_");
     name.chars()
         .filter(|c| c.is_alphanumeric() || *c == '_')
         .collect()

@@ -272,7 +272,7 @@ impl<S: Scalar, B: Bounded<Scalar = S>> Apart<B> for Plane3<S> {
     type Scalar = S;
     #[inline(always)]
     fn guarded_with(&self, other: &B) -> Guard<S> {
-        Guard::of(self).and(other)
+        other.with_numbers(Guard::of(self))
     }
     #[inline(always)]
     fn relation(self, other: B) -> Relation<S> {
@@ -291,7 +291,7 @@ impl<S: Scalar, A: Bounded<Scalar = S>> Apart<Plane3<S>> for A {
     type Scalar = S;
     #[inline(always)]
     fn guarded_with(&self, other: &Plane3<S>) -> Guard<S> {
-        Guard::of(other).and(self)
+        self.with_numbers(Guard::of(other))
     }
     #[inline(always)]
     fn relation(self, other: Plane3<S>) -> Relation<S> {

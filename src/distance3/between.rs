@@ -120,7 +120,7 @@ fn choose<P: Scalar, A: Core3<P>, B: Core3<P>>(a: &A, b: &B) -> CoreFeatures<P> 
 /// normal, held fixed, has the first derivatives of all three. The terms that are added have derivatives of second
 /// order only: they are products of numbers that vanish, such as the vector's component orthogonal to the normal.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn derived<S: Scalar, A: Core3<S>, B: Core3<S>>(
+pub(super) fn derived<S: Scalar, A: Core3<S>, B: Core3<S>>(
     a: &A,
     b: &B,
     chosen: &CoreFeatures<S::Primal>,

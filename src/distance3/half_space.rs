@@ -8,7 +8,7 @@ use super::round::Revolved;
 use crate::arrays::Each;
 use crate::distance::edge::scale_of;
 use crate::distance::share::Best;
-use crate::scalar::largest;
+use crate::scalar::{Guard, largest};
 use crate::shape::{Cone, Cylinder, Plane3};
 use crate::{Pack, Scalar, Vec3};
 
@@ -24,6 +24,11 @@ pub(crate) trait Bounded: Copy + Pack<Scalar: Scalar> {
         Self::Scalar: Scalar<Mask = bool>,
     {
         Patch::Spot
+    }
+    /// Returns a guard with the numbers that matter: by default with all.
+    #[inline(always)]
+    fn with_numbers(&self, guard: Guard<Self::Scalar>) -> Guard<Self::Scalar> {
+        guard.and(self)
     }
 }
 

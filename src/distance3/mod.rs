@@ -3,7 +3,8 @@
 //! [`YawBox3`](crate::YawBox3), [`Obb3`](crate::Obb3), [`RoundBox3`](crate::RoundBox3), [`Sphere`](crate::Sphere) and
 //! [`Capsule3`](crate::Capsule3), any two of them; half-spaces ([`Plane3`](crate::Plane3)) and all of these,
 //! [`Cylinder`](crate::Cylinder) and [`Cone`](crate::Cone); points and balls and cylinders and cones. Lines and rays
-//! ([`Line3`](crate::Line3), [`Ray3`](crate::Ray3)), each other and any of the first ten.
+//! ([`Line3`](crate::Line3), [`Ray3`](crate::Ray3)), each other and any of the first ten. Convex hulls
+//! ([`Hull3`](crate::Hull3)), each other, any of the first ten and half-spaces: by a search ([`hulls`]).
 //!
 //! ```
 //! use geograd::{Obb3, Rotation3, Vec3, distance3::signed_distance};
@@ -50,13 +51,15 @@
 //! | half-space | d q S c p - | d q S c p - | d q S c p - | d q S c P - | d q S c p - | d q S c p - | d q S c P - | d q S c p - |
 //! | cylinder | D q S c p f | d q S c p f | - | - | - | - | - | - |
 //! | cone | D q S c p f | d q S c p f | - | - | - | - | - | - |
+//! | hull | D q S C p f | D q S C P f | D q s c p f | D q S C P f | D q S c p f | D q S c p f | D q S C P f | D q S c P f |
 //!
 //! | line | D q s C p - | d q S c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - |
 //! | ray | D q s c p - | d q S c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - |
 //!
-//! A half-space and a cylinder or a cone have d q S c p; lines and rays have d q s c p among themselves, any two D, two
-//! lines C, too. For a solid, the part of them near it counts; its ends are rounded as the solid's corners are. Rays,
-//! lines and segments against solids: [`intersection3`](crate::intersection3).
+//! Two hulls have D q S C P f, a half-space and a hull d q S c P. A half-space and a cylinder or a cone have d q S c p;
+//! lines and rays have d q s c p among themselves, any two D, two lines C, too. For a solid, the part of them near it
+//! counts; its ends are rounded as the solid's corners are. Rays, lines and segments against solids:
+//! [`intersection3`](crate::intersection3).
 //!
 //! # Derivatives
 //!
@@ -92,6 +95,7 @@ mod endless;
 mod facing;
 pub(crate) mod formula;
 pub(crate) mod half_space;
+pub mod hulls;
 mod inherent;
 mod manifold;
 pub(crate) mod near;

@@ -22,12 +22,12 @@ pub struct Relation<S> {
 impl<S: Scalar> Relation<S> {
     /// Returns the signed distance as a result.
     #[inline]
-    pub(super) fn signed_distance(self) -> S {
+    pub(crate) fn signed_distance(self) -> S {
         self.apart.saturated().canonical()
     }
     /// Returns the distance as a result.
     #[inline]
-    pub(super) fn distance(self) -> S {
+    pub(crate) fn distance(self) -> S {
         let apart = self.apart;
         S::select(apart.above(S::zero()), apart, S::zero())
             .saturated()
@@ -40,7 +40,7 @@ impl<S: Scalar> Relation<S> {
     }
     /// Returns the nearest points as a result.
     #[inline]
-    pub(super) fn closest_points(self) -> PointPair3<S> {
+    pub(crate) fn closest_points(self) -> PointPair3<S> {
         PointPair3 {
             on_a: self.on_a.canonical(),
             on_b: self.on_b.canonical(),
@@ -48,7 +48,7 @@ impl<S: Scalar> Relation<S> {
     }
     /// Returns the depth of overlap and the direction out as a result.
     #[inline]
-    pub(super) fn penetration(self) -> Contact3<S> {
+    pub(crate) fn penetration(self) -> Contact3<S> {
         let depth = -self.apart;
         Contact3 {
             depth: S::select(depth.above(S::zero()), depth, S::zero())

@@ -29,7 +29,7 @@ const FACE: usize = 8;
 
 /// Returns a spot in the plane of a face by shares of its corners.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn on_face<S: Scalar>(k: usize, shares: [S; 3]) -> Spot<S> {
+pub(super) fn on_face<S: Scalar>(k: usize, shares: [S; 3]) -> Spot<S> {
     let mut parts = [S::zero(); 4];
     for (&corner, share) in FACES[k].iter().zip(shares) {
         parts[corner] = share;

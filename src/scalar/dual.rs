@@ -72,6 +72,10 @@ impl<D: Tangent> Scalar for D {
         self.value().primal()
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
+    fn widened(self) -> Option<f64> {
+        self.primal().widened()
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn below(self, other: Self) -> Self::Mask {
         self.primal().below(other.primal())
     }

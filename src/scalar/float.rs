@@ -222,6 +222,10 @@ macro_rules! float {
                 self
             }
             #[inline(always)]
+            fn widened(self) -> Option<f64> {
+                Some(f64::from(self))
+            }
+            #[inline(always)]
             fn below(self, other: Self) -> bool {
                 self < other
             }

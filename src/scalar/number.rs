@@ -211,6 +211,13 @@ pub trait Scalar:
     fn with_primal(self, value: Self::Primal) -> Self {
         (self - Self::from_primal(self.primal())) + Self::from_primal(value)
     }
+    /// Returns the value as an `f64`, exactly, for searches that decide in that format; `None` of several numbers, of
+    /// symbols, and of other formats.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn widened(self) -> Option<f64> {
+        None
+    }
     /// Returns `false` if it is known to be a number: an input of a program that is being recorded, whose columns are
     /// checked.
     #[doc(hidden)]

@@ -64,6 +64,7 @@ fn meant(word: &str) -> &'static [&'static str] {
         "cone" => &["Cone"],
         "line" => &["Line3"],
         "ray" => &["Ray3"],
+        "hull" => &["Hull3_8"],
         _ => panic!("{word} is no shape of the table"),
     }
 }

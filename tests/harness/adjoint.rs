@@ -3,6 +3,7 @@
 use crate::witness::{self, HOT};
 use geograd::ad::check::Sampling;
 use geograd::kernels::Backend;
+use geograd::kernels::dynamic::Sort;
 use geograd_tests::list::{self, Tested};
 
 /// Random inputs per operation and format. Hard cases come on top.
@@ -11,17 +12,23 @@ const SEED: u64 = 1;
 
 /// So many operations of a program take fewer inputs.
 const LONG: usize = 5000;
+/// A search of so many numbers takes fewer inputs: every derivative is a replay.
+const MANY: usize = 24;
 
 /// Optimised builds take all hard cases of hot rows and every fifth of others; unoptimised ones some, and fewer random
 /// inputs.
 fn plan(row: &Tested) -> Sampling<'static> {
     let program = row.operation.program::<f64>();
     let is_long = program.is_ok_and(|program| program.cost().total() > LONG);
+    let layouts = row.operation.layouts::<f64>();
+    let numbers: usize = layouts.iter().map(|layout| layout.fields()).sum();
+    let is_wide = row.operation.sort == Sort::Search && numbers > MANY;
     let (hard, samples) = match (cfg!(debug_assertions), HOT.contains(&row.name()), is_long) {
         (true, true, _) => (13, 40),
         (true, _, true) => (3 * 149, 3),
         (true, ..) => (149, 10),
         (false, true, _) => (1, SAMPLES),
+        (false, ..) if is_wide => (25, SAMPLES / 4),
         (false, ..) => (5, SAMPLES),
     };
     Sampling {

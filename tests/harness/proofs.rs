@@ -4,9 +4,12 @@ use geograd::ad::check::certificate::{Body, Proof, Proved};
 use geograd::ad::check::{Report, Sampling};
 use geograd::check::{Reason, Witness};
 use geograd::distance3::{closest_points, distance};
+use geograd::kernels::check::check_search_with;
 use geograd::kernels::check::check_with;
-use geograd::kernels::op::Op;
-use geograd::{Fixed, Scalar, Segment3, Vec3, operation};
+use geograd::kernels::op::{Declared, Declares, Jumps, Op};
+use geograd::kernels::search::Search;
+use geograd::{Fixed, Hull3, Scalar, Segment3, Vec3, operation};
+use geograd_tests::list;
 
 const BY_PLANES: Reason = Reason::ValuesDisagree(Witness::Planes);
 const BY_POINTS: Reason = Reason::ValuesDisagree(Witness::Points);
@@ -114,4 +117,81 @@ fn points_that_are_not_the_nearest_are_refused() {
         assert!(report.refused_for(BY_POINTS), "{report}");
         assert!(!report.refused_for(BY_PLANES), "{report}");
     }
+}
+
+/// Distances of hulls have a search: their certificate is asked for with the count of vertices, which is no number of
+/// an input.
+#[test]
+fn distances_of_hulls_are_proved_in_both_formats() {
+    let sampling = Sampling {
+        hard: 101,
+        ..Sampling::new(4, 5)
+    };
+    for name in ["signed_distance_hulls", "distance_sphere_hull"] {
+        let row = list::row(name);
+        for report in [
+            row.check::<f32>(&sampling, None).unwrap(),
+            row.check::<f64>(&sampling, None).unwrap(),
+        ] {
+            assert!(report.passed(), "{report}");
+            assert!(report.worst[7].count > 4, "{report}");
+            assert!(report.worst[8].count > 0, "{report}");
+        }
+    }
+}
+
+/// The distance of a point from the nearest vertex of a hull: faces and edges are left out.
+#[derive(Clone, Copy, Debug, Default)]
+struct NearestVertex;
+
+impl Declares for NearestVertex {
+    const DECLARED: Declared = Declared::new("nearest_vertex", &[], Jumps::Never);
+}
+
+impl Search for NearestVertex {
+    type In<S: Scalar> = (Vec3<S>, Hull3<S, 4>);
+    type Out<S: Scalar> = S;
+    type Record = usize;
+    fn decide<S: Scalar<Mask = bool>>((point, hull): Self::In<S>) -> usize {
+        let length = |k: usize| (hull.vertices[k] - point).length();
+        let nearer = |best: usize, k: usize| {
+            if length(k).below(length(best)) {
+                k
+            } else {
+                best
+            }
+        };
+        (1..4).fold(0, nearer)
+    }
+    fn replay<S: Scalar>((point, hull): Self::In<S>, nearest: usize) -> S {
+        (hull.vertices[nearest] - point).length()
+    }
+}
+
+#[test]
+fn a_search_that_leaves_faces_out_is_refused() {
+    let proof = |x: &[f64]| {
+        let (point, corners) = x.split_at(3);
+        let corners: Vec<_> = corners.chunks(3).map(Vec3::load).collect();
+        Some(Proof {
+            measure: Proved::Distance,
+            bodies: [
+                Body::hull(&[Vec3::load(point)], 0.0),
+                Body::hull(&corners, 0.0),
+            ],
+            points: None,
+        })
+    };
+    let sampling = Sampling {
+        proof: Some(&proof),
+        hard: 0,
+        ..Sampling::new(30, 3)
+    };
+    let report = check_search_with::<NearestVertex, f64>(&sampling);
+    assert!(report.refused_for(BY_PLANES), "{report}");
+    let others = |reason: Reason| reason != BY_PLANES;
+    assert!(
+        !report.failures.iter().any(|one| others(one.fault.reason)),
+        "{report}"
+    );
 }

@@ -144,6 +144,7 @@ const NOUNS: &[&str] = &[
     "ConvexPolygon",
     "Cylinder",
     "Detectron",
+    "Hull",
     "ImageBox",
     "Interval",
     "Kitti",

@@ -3,7 +3,7 @@ use super::{fastest, on_threads};
 use draw::{FAMILIES, Random, boxed};
 use geograd::kernels::{Cpu, Distance, SignedDistance};
 use geograd::prelude::*;
-use geograd::{Capsule3, Obb3, Pack, Segment3, Triangle3, Vec3};
+use geograd::{Capsule3, Hull3, Obb3, Pack, Segment3, Triangle3, Vec3};
 use std::hint::black_box;
 
 #[path = "../../../tests/geometry/space/draw.rs"]
@@ -83,7 +83,7 @@ macro_rules! in_format {
             use super::*;
             use $parry::math::{Pose, Rotation, Vector};
             use $parry::query;
-            use $parry::shape::{Capsule, Cuboid, Segment, Triangle};
+            use $parry::shape::{Capsule, ConvexPolyhedron, Cuboid, Segment, Triangle};
 
             fn vector(v: Vec3<$T>) -> Vector {
                 Vector::new(v.x, v.y, v.z)
@@ -138,6 +138,67 @@ macro_rules! in_format {
                     );
                 }};
             }
+            fn polyhedron<const N: usize>(hull: &Hull3<$T, N>) -> ConvexPolyhedron {
+                let corners: Vec<Vector> = hull.vertices.map(vector).to_vec();
+                ConvexPolyhedron::from_convex_hull(&corners)
+                    .expect("corners of a ball span a volume")
+            }
+            /// Hulls of corners on balls of radius one, of which those at the same place are apart, or overlap.
+            fn pairs_of_hulls<const N: usize>(
+                random: &mut Random,
+                apart: bool,
+            ) -> [Vec<Hull3<$T, N>>; 2] {
+                let mut lists = [vec![], vec![]];
+                while lists[0].len() < PAIRS {
+                    let [a, b] = [Vec3::zero(), random.vector(1.5)].map(|center| {
+                        let corner = |_| (center + random.vector(1.0).normalize_or_zero()).cast();
+                        Hull3::from(std::array::from_fn(corner))
+                    });
+                    if (a.signed_distance(b) > 0.0) == apart {
+                        lists[0].push(a);
+                        lists[1].push(b);
+                    }
+                }
+                lists
+            }
+            macro_rules! hulls {
+                ($corners:literal) => {{
+                    let mut random = Random(0x0bad_cafe_0bad_cafe);
+                    for apart in [true, false] {
+                        let lists = pairs_of_hulls::<$corners>(&mut random, apart);
+                        let [a, b] =
+                            [0, 1].map(|k| lists[k].iter().map(polyhedron).collect::<Vec<_>>());
+                        let still = Pose::IDENTITY;
+                        if apart {
+                            ours!(
+                                concat!("hulls of ", $corners, " corners apart, signed"),
+                                SignedDistance,
+                                &lists[0],
+                                &lists[1]
+                            );
+                            theirs!(
+                                concat!("hulls of ", $corners, " corners apart, distance"),
+                                a,
+                                &b,
+                                |x, y| query::distance(&still, x, &still, y)
+                            );
+                        } else {
+                            ours!(
+                                concat!("hulls of ", $corners, " corners overlapping, signed"),
+                                SignedDistance,
+                                &lists[0],
+                                &lists[1]
+                            );
+                            theirs!(
+                                concat!("hulls of ", $corners, " corners overlapping, contact"),
+                                a,
+                                &b,
+                                |x, y| query::contact(&still, x, &still, y, 1e4)
+                            );
+                        }
+                    }
+                }};
+            }
             pub fn rates() {
                 let mut random = Random(0x5eed_5eed_5eed_5eed);
                 let mut points = |n: usize| -> Vec<Vec3<$T>> {
@@ -185,6 +246,9 @@ macro_rules! in_format {
                 theirs!("triangles, distance", a, &b, |x, y| query::distance(
                     &still, x, &still, y
                 ));
+                hulls!(8);
+                hulls!(12);
+                hulls!(32);
                 for apart in [true, false] {
                     let lists: [Vec<Obb3<$T>>; 2] = solids(&mut random, apart)
                         .map(|list| list.iter().map(Obb3::cast).collect());

@@ -57,6 +57,8 @@ SHAPES = {
     "Segment3": "A segment of space, from one end to the other.",
     "Triangle3": "A triangle of space.",
     "Tetrahedron": "A tetrahedron.",
+    "Hull3_8": "The convex hull of up to 8 vertices of space, in any order. The last number is how many vertices count; those "
+    "after them are not read.",
     "Capsule3": "All points at most a radius from a segment of space.",
     "Cylinder": "A cylinder around the segment from the middle of one end to that of the other, which differ.",
     "Cone": "A cone: its apex and the middle of its base, which differ, and the base's radius.",
@@ -105,6 +107,7 @@ NUMBERS = {
     ("Contact3", "depth"): "length, 0 where the shapes are apart",
     ("ConvexPolygon5", "codes[0]"): "how many vertices count, a whole number",
     ("ConvexPolygon6", "codes[0]"): "how many vertices count, a whole number",
+    ("Hull3_8", "codes[0]"): "how many vertices count, a whole number",
 }
 
 

@@ -1,0 +1,298 @@
+//! Distances of convex hulls: from each other, and from every shape that is the hull of a few corners with a radius.
+//!
+//! A search on plain numbers finds the features that are nearest, a corner, an edge or a face of each, or that lie in
+//! the planes that part the hulls best where these overlap. It iterates where they are clearly apart (GJK) or clearly
+//! overlap (EPA), with bounds from both sides as proof; else, and without a proof, it compares all faces and edges, whose
+//! order exact predicates decide. The replay evaluates the distance of these features, with first and second derivatives
+//! by pose and by vertices.
+//!
+//! Features that are equally near, within a few roundings of the size, share the derivative and the point equally: for
+//! parallel faces all corners of their overlap, crossings of edges included. Of more than sixteen the first sixteen
+//! do. Planes that are equally deep share the derivative; direction and points are those of the first. Of repeated
+//! vertices the first has the derivative, which is one of those between the one-sided ones.
+//!
+//! ```
+//! use geograd::distance3::{penetration, signed_distance};
+//! use geograd::{Hull3, Obb3, Rotation3, Vec3};
+//! let [x, y, z] = [Vec3::new(2.0_f64, 0.0, 0.0), Vec3::new(0.0, 3.0, 0.0), Vec3::new(0.0, 0.0, 4.0)];
+//! let wedge: Hull3<f64, 8> = Hull3::from_vertices(&[Vec3::zero(), x, y, z]);
+//! let cube = |x: f64| Obb3::new(Vec3::new(x, 0.5, 0.5), Vec3::new(1.0, 1.0, 1.0), Rotation3::identity());
+//! assert!((signed_distance(cube(-1.5), wedge) - 1.0).abs() < 1e-15);
+//! let out = penetration(cube(-0.25), wedge);
+//! assert!((out.depth - 0.25).abs() < 1e-15 && (out.direction.x - 1.0).abs() < 1e-15);
+//! ```
+//!
+//! The search decides in `f64`, also for `f32`. Numbers over other formats have the features of the first vertices.
+mod body;
+mod expansion;
+mod gjk;
+mod highest_point;
+mod hull_record;
+mod hull_replay;
+mod hull_search;
+mod near_features;
+mod parting_planes;
+mod patch;
+
+use super::apart::Apart;
+use super::aside;
+use super::core::Core3;
+use super::cored::InflatedCore;
+use super::half_space::Bounded;
+use super::near::Low;
+use super::relation::Relation;
+use super::spot::{plain, vanish};
+use crate::distance::share::Best;
+use crate::scalar::Guard;
+use crate::{Hull3, Pack, Scalar, Vec3};
+pub use hull_record::{FeaturePair, HullFeatures, HullRecord};
+
+/// A convex shape with corners: their hull, inflated by a radius.
+pub(crate) trait Cornered: Copy + Pack<Scalar: Scalar> {
+    /// The corners.
+    type Corners: AsRef<[Vec3<Self::Scalar>]>;
+    /// `true` if the radius may be other than zero.
+    const ROUNDED: bool;
+    /// Returns the centre, if the corners are computed from one.
+    fn middle(&self) -> Option<Vec3<Self::Scalar>>;
+    /// Returns the corners relative to a point.
+    fn corners_from(&self, from: Vec3<Self::Scalar>) -> Self::Corners;
+    /// Returns the number of corners, or less if the last ones repeat the first.
+    fn count_of_corners(&self, corners: &Self::Corners) -> usize {
+        corners.as_ref().len()
+    }
+    /// Returns the radius of the inflation.
+    fn inflation(&self) -> Self::Scalar;
+    /// Returns a guard with its numbers.
+    #[inline]
+    fn with_guard(&self, guard: Guard<Self::Scalar>) -> Guard<Self::Scalar> {
+        guard.and(self)
+    }
+    /// Returns the growth of the extent along a direction by sides of length zero: the value zero, with the derivative
+    /// by these sides.
+    fn widening(&self, normal: Vec3<Self::Scalar>) -> Self::Scalar;
+}
+
+impl<A: InflatedCore> Cornered for A {
+    type Corners = <A::Core as Core3<A::Scalar>>::Corners;
+    const ROUNDED: bool = A::ROUND;
+    #[inline]
+    fn middle(&self) -> Option<Vec3<A::Scalar>> {
+        A::Core::CENTERED.then(|| self.core().anchor())
+    }
+    #[inline]
+    fn corners_from(&self, from: Vec3<A::Scalar>) -> Self::Corners {
+        self.core().placed(from, A::Scalar::one()).corners()
+    }
+    #[inline]
+    fn inflation(&self) -> A::Scalar {
+        InflatedCore::radius(self)
+    }
+    #[inline]
+    fn widening(&self, normal: Vec3<A::Scalar>) -> A::Scalar {
+        let core = self.core();
+        let core = core.placed(core.anchor(), A::Scalar::one());
+        core.growth(normal)
+    }
+}
+
+impl<S: Scalar, const N: usize> Cornered for Hull3<S, N> {
+    type Corners = [Vec3<S>; N];
+    const ROUNDED: bool = false;
+    #[inline]
+    fn middle(&self) -> Option<Vec3<S>> {
+        None
+    }
+    /// Returns the vertices; behind the last one the first is repeated.
+    #[inline]
+    fn corners_from(&self, from: Vec3<S>) -> [Vec3<S>; N] {
+        const {
+            assert!(0 < N && N <= 256, "records have eight bits for a corner");
+        }
+        let count = self.count.clamp(1, N);
+        let mut all = self.vertices;
+        for k in 0..N {
+            all[k] = self.vertices[if k < count { k } else { 0 }] - from;
+        }
+        all
+    }
+    #[inline]
+    fn count_of_corners(&self, _: &[Vec3<S>; N]) -> usize {
+        self.count.clamp(1, N)
+    }
+    #[inline]
+    fn inflation(&self) -> S {
+        S::zero()
+    }
+    #[inline]
+    fn with_guard(&self, guard: Guard<S>) -> Guard<S> {
+        self.as_slice()
+            .iter()
+            .fold(guard, |guard, vertex| guard.and(vertex))
+    }
+    #[inline]
+    fn widening(&self, _normal: Vec3<S>) -> S {
+        S::zero()
+    }
+}
+
+/// Returns the point to which the corners of two shapes are relative.
+fn origin<S: Scalar, A: Cornered<Scalar = S>, B: Cornered<Scalar = S>>(a: &A, b: &B) -> Vec3<S> {
+    a.middle().or(b.middle()).unwrap_or(Vec3::zero())
+}
+
+/// Returns the corners as plain numbers, exactly; `None` where one is not finite, or of another format.
+fn numbers<S: Scalar>(corners: &[Vec3<S>]) -> Option<Vec<Vec3<f64>>> {
+    let wide = |Vec3 { x, y, z }: &Vec3<S>| {
+        let point = Vec3::new(x.widened()?, y.widened()?, z.widened()?);
+        point.is_finite().then_some(point)
+    };
+    corners.iter().map(wide).collect()
+}
+
+/// Returns the features that decide about the relation of a hull and another shape with corners. Those of shapes that
+/// are not finite are their first corners.
+#[must_use]
+pub(crate) fn hulls_search<S, A, B>(a: &A, b: &B) -> HullRecord
+where
+    S: Scalar<Mask = bool>,
+    A: Cornered<Scalar = S>,
+    B: Cornered<Scalar = S>,
+{
+    let from = origin(a, b);
+    let (of_a, of_b) = (a.corners_from(from), b.corners_from(from));
+    let (m, n) = (a.count_of_corners(&of_a), b.count_of_corners(&of_b));
+    let (a, b) = (&of_a.as_ref()[..m], &of_b.as_ref()[..n]);
+    let record = match (numbers(a), numbers(b)) {
+        (Some(a), Some(b)) => hull_search::search(a, b, S::EPSILON),
+        _ => HullRecord::new(&[], false),
+    };
+    noted::<S::Primal>(&record);
+    record
+}
+
+/// Compares constants by the record, so that traces of comparisons differ where records do. For plain numbers this is
+/// nothing.
+#[inline(always)]
+fn noted<P: Scalar>(record: &HullRecord) {
+    let bit = |one: bool| {
+        let side = P::lit(if one { 1.0 } else { -1.0 });
+        let _ = side.below(-side);
+    };
+    bit(record.inside);
+    for features in record.features() {
+        let HullFeatures { pair, a, b, plane } = *features;
+        let [i, j, k] = a;
+        let [l, m, n] = b;
+        for byte in [pair as u8, i, j, k, l, m, n, plane] {
+            (0..8).for_each(|k| bit(byte >> k & 1 == 1));
+        }
+    }
+}
+
+/// Returns the relation of two shapes from the record of [`hulls_search`]. Ties share the derivative equally.
+#[must_use]
+pub(crate) fn hulls_replay<S, A, B>(a: &A, b: &B, record: &HullRecord) -> Relation<S>
+where
+    S: Scalar,
+    A: Cornered<Scalar = S>,
+    B: Cornered<Scalar = S>,
+{
+    let from = origin(a, b);
+    let (of_a, of_b) = (a.corners_from(from), b.corners_from(from));
+    let found = hull_replay::replay(of_a.as_ref(), of_b.as_ref(), record);
+    let growth = vanish(a.widening(found.normal) + b.widening(found.normal));
+    let by_growth = found.square.root() * growth;
+    let found = Relation {
+        apart: found.apart - growth,
+        square: found.square - vanish(by_growth + by_growth),
+        normal: found.normal,
+        on_a: from + found.on_a,
+        on_b: from + found.on_b,
+    };
+    let ways = |corners: &[Vec3<S>]| -> Vec<Vec3<S::Primal>> {
+        let from = plain(corners[0]);
+        corners.iter().map(|&corner| plain(corner) - from).collect()
+    };
+    match A::ROUNDED || B::ROUNDED {
+        true => {
+            let ways = [ways(of_a.as_ref()), ways(of_b.as_ref())].concat();
+            let aside = aside::across(ways.iter().copied());
+            found.inflated(a.inflation(), b.inflation(), aside)
+        }
+        false => found,
+    }
+}
+
+/// Returns a guard of the numbers of two shapes.
+pub(crate) fn hulls_guard<S, A, B>(a: &A, b: &B) -> Guard<S>
+where
+    S: Scalar,
+    A: Cornered<Scalar = S>,
+    B: Cornered<Scalar = S>,
+{
+    b.with_guard(a.with_guard(Guard::new()))
+}
+
+/// Returns the longest distance of corners of two shapes, with both radii.
+fn farthest<S, A, B>(a: &A, b: &B) -> S
+where
+    S: Scalar,
+    A: Cornered<Scalar = S>,
+    B: Cornered<Scalar = S>,
+{
+    let from = origin(a, b);
+    let (of_a, of_b) = (a.corners_from(from), b.corners_from(from));
+    let pairs = of_a.as_ref().iter().flat_map(|&p| {
+        let others = of_b.as_ref().iter();
+        others.map(move |&q| {
+            let length = (q - p).length();
+            Best::of(length, length)
+        })
+    });
+    let longest = Best::most_of(pairs).mean();
+    (longest + (a.inflation() + b.inflation())).canonical()
+}
+
+macro_rules! apart {
+    ($([$($generic:tt)*] $A:ty, $B:ty;)*) => { $(
+        impl<S: Scalar<Mask = bool>, $($generic)*> Apart<$B> for $A {
+            type Scalar = S;
+            #[inline]
+            fn guarded_with(&self, other: &$B) -> Guard<S> {
+                hulls_guard(self, other)
+            }
+            #[inline]
+            fn relation(self, other: $B) -> Relation<S> {
+                hulls_replay(&self, &other, &hulls_search(&self, &other))
+            }
+            #[inline]
+            fn farthest(self, other: $B) -> S {
+                farthest(&self, &other)
+            }
+        }
+    )* };
+}
+apart! {
+    [A: InflatedCore<Scalar = S>, const N: usize] A, Hull3<S, N>;
+    [B: InflatedCore<Scalar = S>, const N: usize] Hull3<S, N>, B;
+    [const N: usize, const M: usize] Hull3<S, N>, Hull3<S, M>;
+}
+
+impl<S: Scalar, const N: usize> Bounded for Hull3<S, N> {
+    #[inline]
+    fn with_numbers(&self, guard: Guard<S>) -> Guard<S> {
+        self.with_guard(guard)
+    }
+    #[inline]
+    fn lowest(self, normal: Vec3<S>) -> (S, Vec3<S>) {
+        let from = self.corners_from(Vec3::zero())[0];
+        let arms = self.as_slice().iter().map(|&corner| {
+            let arm = corner - from;
+            let height = normal.dot(arm);
+            Best::of(height, Low(height, arm))
+        });
+        let Low(height, arm) = Best::least(arms).mean();
+        (normal.dot(from) + height, from + arm)
+    }
+}
