@@ -4,7 +4,9 @@
 //! [`Capsule3`](crate::Capsule3), any two of them; half-spaces ([`Plane3`](crate::Plane3)) and all of these,
 //! [`Cylinder`](crate::Cylinder) and [`Cone`](crate::Cone); points and balls and cylinders and cones. Lines and rays
 //! ([`Line3`](crate::Line3), [`Ray3`](crate::Ray3)), each other and any of the first ten. Convex hulls
-//! ([`Hull3`](crate::Hull3)), each other, any of the first ten and half-spaces: by a search ([`hulls`]).
+//! ([`Hull3`](crate::Hull3)), each other, any of the first ten and half-spaces: by a search ([`hulls`]). Cylinders,
+//! cones, [`Ellipsoid`](crate::Ellipsoid), [`Disc`](crate::Disc) and own shapes by their support functions
+//! ([`BySupport`]), each other, any of the first ten and half-spaces: by another search ([`curved`]).
 //!
 //! ```
 //! use geograd::{Obb3, Rotation3, Vec3, distance3::signed_distance};
@@ -48,13 +50,16 @@
 //! | upright box, two | | | | | | | D Q S C P F | |
 //! | round box | | | | | | | | d q S c p f |
 //! | half-space | d q S c p - | d q S c p - | d q S c p - | d q S c P - | d q S c p - | d q S c p - | d q S c P - | d q S c p - |
-//! | cylinder | D q S c p f | d q S c p f | - | - | - | - | - | - |
-//! | cone | D q S c p f | d q S c p f | - | - | - | - | - | - |
+//! | cylinder | D q S c p f | d q S c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f |
+//! | cone | D q S c p f | d q S c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f |
+//! | ellipsoid, disc, own | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f |
 //! | hull | D q S c p f | d q S c p f | d q s c p f | d q S c p f | d q s c p f | d q s c p f | D q S c P f | d q s c p f |
 //!
 //! | line | D q s C p - | d q S c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - |
 //! | ray | D q s c p - | d q S c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - |
 //!
+//! Cylinders, cones, ellipsoids, discs and own shapes have d q s c p f among themselves, and d q s c p from half-spaces.
+//! Pairs that [`curved`] searches have methods for one item at a time alone, not for batches.
 //! Two hulls have D q S C P f, a half-space and a hull d q s c p. A half-space and a cylinder or a cone have d q S c p; lines and rays have d q s c p among themselves, any two D, two
 //! lines C, too. For a solid, the part of them near it counts; its ends are rounded as the solid's corners are. Rays,
 //! lines and segments against solids: [`intersection3`](crate::intersection3).
@@ -88,6 +93,7 @@ pub(crate) mod boxes;
 mod contact;
 pub(crate) mod core;
 pub(crate) mod cored;
+pub mod curved;
 pub(crate) mod deep;
 mod endless;
 pub(crate) mod formula;
@@ -109,4 +115,5 @@ pub use apart::{
     Apart, closest_points, distance, farthest_distance, penetration, signed_distance,
     squared_distance,
 };
+pub use curved::{BySupport, Support};
 pub use outcome::{Contact3, PointPair3};
