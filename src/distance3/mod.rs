@@ -115,5 +115,5 @@ pub use apart::{
     Apart, closest_points, distance, farthest_distance, penetration, signed_distance,
     squared_distance,
 };
-pub use curved::{BySupport, Support};
+pub use curved::{BySupport, SupportFunction};
 pub use outcome::{Contact3, PointPair3};

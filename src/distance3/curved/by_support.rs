@@ -17,7 +17,7 @@ use crate::{Pack, Scalar, Vec3};
 /// direction: then second derivatives are right, too.
 ///
 /// ```
-/// use geograd::distance3::{BySupport, Support, signed_distance};
+/// use geograd::distance3::{BySupport, SupportFunction, signed_distance};
 /// use geograd::{Aabb3, Scalar, Shape, Vec3};
 /// /// A ball.
 /// #[derive(Clone, Copy, Debug, PartialEq, Shape)]
@@ -25,7 +25,7 @@ use crate::{Pack, Scalar, Vec3};
 ///     middle: Vec3<S>,
 ///     radius: S,
 /// }
-/// impl<S: Scalar> Support for Planet<S> {
+/// impl<S: Scalar> SupportFunction for Planet<S> {
 ///     fn support(&self, direction: Vec3<S>) -> Vec3<S> {
 ///         self.middle + direction.normalize_or_zero() * self.radius
 ///     }
@@ -34,7 +34,7 @@ use crate::{Pack, Scalar, Vec3};
 /// let ground = Aabb3::new(Vec3::new(-9.0, -9.0, -1.0), Vec3::new(9.0, 9.0, 0.0));
 /// assert!((signed_distance(BySupport(planet), ground) - 4.0_f64).abs() < 1e-12);
 /// ```
-pub trait Support: Copy + Pack<Scalar: Scalar> {
+pub trait SupportFunction: Copy + Pack<Scalar: Scalar> {
     /// Returns the point of the shape that is farthest in a direction of any length but zero.
     fn support(&self, direction: Vec3<Self::Scalar>) -> Vec3<Self::Scalar>;
 }
@@ -66,13 +66,13 @@ pub struct InUnits<A, S> {
 /// The step of a direction for the derivative of the support: its error is about the square, rounding's its inverse.
 const STEP: f64 = 1e-5;
 
-impl<S: Scalar, A: Support<Scalar = S>> InUnits<A, S> {
+impl<S: Scalar, A: SupportFunction<Scalar = S>> InUnits<A, S> {
     fn at(&self, way: Vec3<S>) -> Vec3<S> {
         (self.shape.support(way) - self.from) * self.scale
     }
 }
 
-impl<S: Scalar, A: Support<Scalar = S>> Pieces<S> for InUnits<A, S> {
+impl<S: Scalar, A: SupportFunction<Scalar = S>> Pieces<S> for InUnits<A, S> {
     fn piece_at(&self, _: usize, normal: Vec3<S>) -> Piece<S> {
         Piece {
             kind: PieceKind::Own,
@@ -81,7 +81,7 @@ impl<S: Scalar, A: Support<Scalar = S>> Pieces<S> for InUnits<A, S> {
     }
 }
 
-/// The directions along the axes.
+/// Returns the directions along the axes.
 fn axes<S: Scalar>() -> [Vec3<S>; 3] {
     let (zero, one) = (S::zero(), S::one());
     [
@@ -94,7 +94,7 @@ fn axes<S: Scalar>() -> [Vec3<S>; 3] {
 impl<S, A> Placed<S> for InUnits<A, S>
 where
     S: Scalar,
-    A: Support<Scalar = S, With<f64>: Support<Scalar = f64>>,
+    A: SupportFunction<Scalar = S, With<f64>: SupportFunction<Scalar = f64>>,
 {
     type Plain = InUnits<A::With<f64>, f64>;
     fn reach(&self) -> S::Primal {
@@ -123,7 +123,7 @@ where
     }
 }
 
-impl<A: Support<Scalar = f64>> Supported for InUnits<A, f64> {
+impl<A: SupportFunction<Scalar = f64>> Supported for InUnits<A, f64> {
     fn support(&self, way: Vec3<f64>) -> Vec3<f64> {
         self.at(way)
     }
@@ -159,7 +159,7 @@ impl<A: Support<Scalar = f64>> Supported for InUnits<A, f64> {
 impl<S, A> Curved for BySupport<A>
 where
     S: Scalar<Mask = bool>,
-    A: Support<Scalar = S, With<f64>: Support<Scalar = f64>>,
+    A: SupportFunction<Scalar = S, With<f64>: SupportFunction<Scalar = f64>>,
 {
     type Placed = InUnits<A, S>;
     fn anchor_point(&self) -> Vec3<S> {
@@ -174,7 +174,7 @@ where
     }
 }
 
-impl<A: Support> Bounded for BySupport<A> {
+impl<A: SupportFunction> Bounded for BySupport<A> {
     fn lowest(self, normal: Vec3<A::Scalar>) -> (A::Scalar, Vec3<A::Scalar>) {
         let point = self.0.support(-normal);
         (normal.dot(point), point)
@@ -183,7 +183,7 @@ impl<A: Support> Bounded for BySupport<A> {
 
 macro_rules! own {
     ($([$($generic:tt)*] $A:ty, $B:ty;)*) => { $(
-        impl<S: Scalar<Mask = bool>, O: Support<Scalar = S, With<f64>: Support<Scalar = f64>>, $($generic)*> Apart<$B>
+        impl<S: Scalar<Mask = bool>, O: SupportFunction<Scalar = S, With<f64>: SupportFunction<Scalar = f64>>, $($generic)*> Apart<$B>
             for $A
         {
             type Scalar = S;
@@ -210,5 +210,5 @@ own! {
     [] Cone<S>, BySupport<O>;
     [B: InflatedCore<Scalar = S>] BySupport<O>, B;
     [A: InflatedCore<Scalar = S>] A, BySupport<O>;
-    [B: Support<Scalar = S, With<f64>: Support<Scalar = f64>>] BySupport<O>, BySupport<B>;
+    [B: SupportFunction<Scalar = S, With<f64>: SupportFunction<Scalar = f64>>] BySupport<O>, BySupport<B>;
 }

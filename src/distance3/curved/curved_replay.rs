@@ -2,9 +2,10 @@
 //!
 //! The search hands over a normal and two places as numbers without derivatives. One Newton step with the matrix of
 //! plain numbers gives them first derivatives, and the signed distance, which is stationary there, first and second
-//! ones. A second step gives the normal and the points second derivatives.
-use super::curved_search::Found;
+//! ones. A second step gives the normal and the points second derivatives. Places on pieces that are not stationary are
+//! fixed.
 use super::piece::{Piece, Place};
+use super::solid_pair::Found;
 use super::touch::{System, Touch, lit};
 use crate::arrays::Each;
 use crate::distance3::relation::{Relation, square_of_gap};
@@ -43,27 +44,33 @@ pub fn replay<S: Scalar>(
         a: constant(&found.touch.a),
         b: constant(&found.touch.b),
     };
-    let mut apart = S::zero();
-    for step in 0..2 {
-        let (of_a, of_b) = (
-            a.piece_at(i, touch.normal * side),
-            b.piece_at(j, -touch.normal * side),
-        );
-        let residuals = system.residuals([&of_a, &of_b], &touch).each_as(vanish);
-        touch = system.moved(kinds, &touch, &system.solve(&residuals));
-        if step == 0 {
-            let (of_a, of_b) = (
-                a.piece_at(i, touch.normal * side),
-                b.piece_at(j, -touch.normal * side),
-            );
-            apart = touch.normal.dot(of_b.at(&touch.b) - of_a.at(&touch.a));
-        }
+    let pieces = |touch: &Touch<S>| {
+        let out = touch.normal * side;
+        (a.piece_at(i, out), b.piece_at(j, -out))
+    };
+    let step = |touch: &Touch<S>| {
+        let (of_a, of_b) = pieces(touch);
+        let residuals = system.residuals([&of_a, &of_b], touch).each_as(vanish);
+        system.moved(kinds, touch, &system.solve(&residuals))
+    };
+    let points = |touch: &Touch<S>| {
+        let (of_a, of_b) = pieces(touch);
+        [of_a.at(&touch.a), of_b.at(&touch.b)]
+    };
+    if found.settled {
+        touch = step(&touch);
     }
+    let [on_a, on_b] = points(&touch);
+    let apart = touch.normal.dot(on_b - on_a);
+    if found.settled {
+        touch = step(&touch);
+    }
+    let [on_a, on_b] = points(&touch);
     Relation {
         apart,
         square: square_of_gap(apart),
         normal: touch.normal,
-        on_a: a.piece_at(i, touch.normal * side).at(&touch.a),
-        on_b: b.piece_at(j, -touch.normal * side).at(&touch.b),
+        on_a,
+        on_b,
     }
 }

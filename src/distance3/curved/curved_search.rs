@@ -7,106 +7,29 @@
 //! distance from above, and the difference is stated. Of solids that overlap it proves a direction to be one of the best
 //! near it; the expansion bounds how much better another could be.
 use super::expand::exits;
-use super::gap::{Difference, gap};
+use super::gap::gap;
 use super::level::shared;
-use super::piece::{Piece, PieceKind, Place};
-use super::support::{Supported, start};
+use super::piece::{PieceKind, Place};
+use super::solid_pair::{Found, Solids};
+use super::support::Supported;
 use super::touch::{System, Touch};
+use super::touching::{Candidate, candidates};
 use crate::Vec3;
-
-/// What decides about two solids.
-#[derive(Clone, Copy, Debug)]
-pub struct Found {
-    /// The numbers of the pieces.
-    pub pieces: [usize; 2],
-    /// Where and along which normal they touch.
-    pub touch: Touch<f64>,
-    /// The gap of the supports along the normal.
-    pub value: f64,
-    /// The length by which the points are not that far apart along the normal.
-    pub error: f64,
-    /// `true` if all equations are independent.
-    pub regular: bool,
-    /// `true` if a place was moved onto its piece.
-    pub clamped: bool,
-}
 
 /// The error up to which a touch is exact, relative to the size.
 const EXACT: f64 = 1e-13;
 /// The error up to which a touch is good enough.
 const GOOD: f64 = 1e-12;
+/// The step and the residual that are none.
+const SETTLED: f64 = 1e-9;
 /// The number of Newton's steps.
 const STEPS: usize = 12;
-/// The most pairs of pieces that are tried, and pieces of each solid.
+/// The most pairs of pieces that are tried.
 const PAIRS: usize = 24;
-const PIECES: usize = 10;
 /// How often solids that overlap are parted.
 const PARTINGS: usize = 4;
 
-/// Two solids, and their size.
-#[derive(Clone, Copy)]
-pub struct Solids<'a> {
-    pub a: &'a dyn Supported,
-    pub b: &'a dyn Supported,
-    pub size: f64,
-    /// 1, or −1 for the points that are the farthest from each other, with outer normals away from the other solid.
-    pub side: f64,
-}
-
-/// A piece, a place on it, and how far it is from where the piece was expected.
-struct Candidate {
-    off: f64,
-    piece: usize,
-    place: Place<f64>,
-}
-
-/// Returns the pieces of a solid that may touch near a point along an outer normal, likely ones first.
-fn candidates(solid: &dyn Supported, normal: Vec3<f64>, at: Vec3<f64>) -> Vec<Candidate> {
-    let size = solid.size();
-    let over = if size > 0.0 { 1.0 / size } else { 0.0 };
-    let highest = solid.support(normal);
-    let mut all = Vec::new();
-    for k in 0..solid.pieces() {
-        let piece = solid.piece(k, normal);
-        let ways: &[bool] = if piece.kind.is_round() {
-            &[true, false]
-        } else {
-            &[false]
-        };
-        for &by_normal in ways {
-            let place = solid.clamped(k, &start(&piece, at, normal, by_normal));
-            let point = piece.at(&place);
-            let off = (point - at).length() + normal.dot(highest - point);
-            // Of pieces that are equally likely the one with the fewest parameters.
-            let simple = 1e-14 * (piece.kind.ways() + usize::from(piece.kind.has_axis())) as f64;
-            all.push(Candidate {
-                off: off * over + simple,
-                piece: k,
-                place,
-            });
-        }
-    }
-    all.sort_by(|p, q| p.off.total_cmp(&q.off));
-    all.truncate(PIECES);
-    all
-}
-
-impl<'a> Solids<'a> {
-    /// Returns the gap of the supports along a normal.
-    pub fn value(&self, normal: Vec3<f64>) -> f64 {
-        let out = normal * self.side;
-        normal.dot(self.b.support(-out) - self.a.support(out))
-    }
-    /// Returns two pieces, seen along a normal from a to b.
-    pub fn pieces(&self, [i, j]: [usize; 2], normal: Vec3<f64>) -> [Piece<f64>; 2] {
-        let out = normal * self.side;
-        let mut both = [self.a.piece(i, out), self.b.piece(j, -out)];
-        for piece in both.iter_mut().filter(|piece| piece.kind == PieceKind::Own) {
-            // Derivatives by the normal instead of the outer one.
-            piece.ways = piece.ways.map(|way| way * self.side);
-        }
-        both
-    }
+impl Solids<'_> {
     /// Returns the pieces of both that may touch near two points, likely ones first.
     fn near(&self, normal: Vec3<f64>, on_a: Vec3<f64>, on_b: Vec3<f64>) -> [Vec<Candidate>; 2] {
         let out = normal * self.side;
@@ -119,27 +42,23 @@ impl<'a> Solids<'a> {
         }
         both
     }
-    /// Returns the point of b, moved, less a that is the lowest along a vector.
-    fn lowest(&self, way: Vec3<f64>, by: Vec3<f64>) -> Difference {
-        let (a, b) = (self.a.support(way), self.b.support(-way) + by);
-        Difference { way: b - a, a, b }
-    }
-    /// Returns 0 for a touch that is exact and regular, more for others, 3 for one that is not exact.
+    /// Returns 0 for a touch that is exact, settled and regular, 1 if only equations depend on each other, more for
+    /// others, 4 for one that is not exact.
     fn grade(&self, found: &Found) -> usize {
         match found.error <= EXACT * self.size {
-            true => usize::from(!found.regular) + usize::from(found.clamped),
-            false => 3,
+            true => usize::from(!found.regular) + 2 * usize::from(!found.settled),
+            false => 4,
         }
     }
     /// Returns `true` if a touch is worse than another one along about the same normal.
     fn is_worse(&self, found: &Found, other: &Found) -> bool {
         let (p, q) = (self.grade(found), self.grade(other));
-        q < p || p == 3 && q == 3 && other.error < found.error
+        q < p || p == 4 && q == 4 && other.error < found.error
     }
     /// Returns the touch of two pieces with the least error that steps from a first one lead to, if its value is not
     /// below a bound.
     fn attempt(&self, pieces: [usize; 2], first: Touch<f64>, floor: f64) -> Option<Found> {
-        let (mut touch, mut kept): (_, Option<Found>) = (first, None);
+        let (mut touch, mut kept): (_, Option<(Found, f64)>) = (first, None);
         for step in 0..STEPS {
             let [a, b] = self.pieces(pieces, touch.normal);
             let system = System::new([&a, &b], &touch);
@@ -154,27 +73,36 @@ impl<'a> Solids<'a> {
             };
             let value = self.value(touch.normal);
             let error = ((b.at(&on.b) - a.at(&on.a)) - touch.normal * value).length();
-            if value >= floor && kept.is_none_or(|kept| error < kept.error) {
-                kept = Some(Found {
+            let residuals = system.residuals([&a, &b], &touch);
+            let changes = system.solve(&residuals);
+            let change = changes.iter().map(|x| x * x).sum::<f64>().sqrt();
+            let exact = error <= EXACT * self.size;
+            let better = |(kept, last): &(Found, f64)| match exact {
+                true => change < *last || kept.error > EXACT * self.size,
+                false => error < kept.error,
+            };
+            if value >= floor && kept.as_ref().is_none_or(better) {
+                let rest = residuals.iter().fold(change, |most, x| most.max(x.abs()));
+                let off = off(&touch.a, &on.a) + off(&touch.b, &on.b);
+                let found = Found {
                     pieces,
                     touch: on,
                     value,
                     error,
                     regular: system.rank == system.count,
-                    clamped: off(&touch.a, &on.a) + off(&touch.b, &on.b) > 1e-9,
-                });
+                    settled: off.max(rest) <= SETTLED,
+                };
+                kept = Some((found, change));
             } else if step > 3 {
                 break;
             }
-            let changes = system.solve(&system.residuals([&a, &b], &touch));
-            let change = changes.iter().map(|x| x * x).sum::<f64>().sqrt();
             if !(1e-16..f64::INFINITY).contains(&change) {
                 break;
             }
             let limit = (0.7 / change).min(1.0);
             touch = system.moved([a.kind, b.kind], &touch, &changes.map(|x| x * limit));
         }
-        kept
+        kept.map(|kept| kept.0)
     }
     /// Tries pairs of pieces, likely ones first; returns `true` if one is exact and regular.
     fn try_pairs(
@@ -201,7 +129,7 @@ impl<'a> Solids<'a> {
             if best.as_ref().is_none_or(|best| self.is_worse(best, &found)) {
                 *best = Some(found);
             }
-            if self.grade(&found) == 0 {
+            if self.grade(&found) < 2 {
                 return true;
             }
         }
@@ -213,7 +141,7 @@ impl<'a> Solids<'a> {
         let mut best = None;
         let [of_a, of_b] = self.near(normal, on_a, on_b);
         let found = self.try_pairs(&mut best, (&of_a, &of_b), normal, floor);
-        if found || self.side < 0.0 || best.as_ref().is_some_and(|best| self.grade(best) < 3) {
+        if found || self.side < 0.0 || best.as_ref().is_some_and(|best| self.grade(best) < 4) {
             return best;
         }
         // Along the normal of a face that is all but orthogonal another point may be the lowest, far from these.
@@ -263,7 +191,7 @@ impl<'a> Solids<'a> {
             value,
             error: ((b.at(&q.place) - a.at(&p.place)) - normal * value).length(),
             regular: false,
-            clamped: true,
+            settled: false,
         })
     }
     /// Keeps the better one of two touches along any normals.
@@ -301,8 +229,12 @@ impl<'a> Solids<'a> {
                 break;
             }
         }
-        self.take(best, self.plain(normal, on_a, on_b));
-        self.take(best, self.polish(normal, on_a, on_b));
+        let known =
+            |best: &Found| (best.touch.normal - normal).length() <= 1e-7 && self.grade(best) == 0;
+        if !best.as_ref().is_some_and(known) {
+            self.take(best, self.plain(normal, on_a, on_b));
+            self.take(best, self.polish(normal, on_a, on_b));
+        }
     }
 }
 
@@ -346,21 +278,14 @@ pub fn search(a: &dyn Supported, b: &dyn Supported) -> Option<Found> {
     let apart = |found: &Found| found.error <= GOOD * size && found.value > 0.0;
     if !best.as_ref().is_some_and(apart) {
         for exit in exits(&|way| solids.lowest(way, Vec3::zero())) {
-            solids.parted(&mut best, exit.normal);
+            // A bound from below of the depth.
+            let deeper = |best: &Found| best.error <= GOOD * size && exit.depth >= -best.value;
+            if !best.as_ref().is_some_and(deeper) {
+                solids.parted(&mut best, exit.normal);
+            }
         }
     }
     best.map(|found| shared(&solids, found))
-}
-
-/// Returns the pieces of a touch, seen along its normal.
-pub fn pieces([a, b]: [&dyn Supported; 2], found: &Found, side: f64) -> [Piece<f64>; 2] {
-    let solids = Solids {
-        a,
-        b,
-        size: 1.0,
-        side,
-    };
-    solids.pieces(found.pieces, found.touch.normal)
 }
 
 /// The number of steps to a direction in which two solids are the farthest.

@@ -1,6 +1,6 @@
 //! Flat pieces that lie on each other: they touch in the middle of their overlap.
-use super::curved_search::{Found, Solids};
 use super::piece::{Piece, PieceKind};
+use super::solid_pair::{Found, Solids};
 use super::support::{Supported, start};
 use super::touch::{System, Touch};
 use crate::Vec3;
@@ -29,8 +29,14 @@ fn level(solid: &dyn Supported, normal: Vec3<f64>, slack: f64) -> Option<usize> 
             }
             _ => normal.dot(piece.by_share(&place)).abs(),
         };
+        // Without an extent it is a point or an edge.
+        let extent = match piece.kind {
+            PieceKind::Face => piece.sizes[0].min(piece.sizes[1]),
+            _ => piece.by_share(&place).length(),
+        };
         let high = normal.dot(highest - piece.at(&place)) <= slack;
-        if rise <= slack && high && found.is_none_or(|found| found.0 < dimension) {
+        if extent > slack && rise <= slack && high && found.is_none_or(|found| found.0 < dimension)
+        {
             found = Some((dimension, k));
         }
     }
@@ -76,7 +82,7 @@ pub fn shared(solids: &Solids<'_>, found: Found) -> Found {
         touch,
         error,
         regular: false,
-        clamped: false,
+        settled: true,
         ..found
     }
 }

@@ -29,9 +29,11 @@ mod expand;
 mod gap;
 mod level;
 mod piece;
-mod solid;
+mod smooth_solid;
+mod solid_pair;
 mod support;
 mod touch;
+mod touching;
 
 use super::apart::Apart;
 use super::core::Core3;
@@ -46,10 +48,10 @@ use crate::shape::{
     Triangle3, YawBox3,
 };
 use crate::{Pack, Scalar, Vec3};
-pub use by_support::{BySupport, Support};
+pub use by_support::{BySupport, SupportFunction};
 use curved_replay::{Pieces, replay};
 use piece::Piece;
-use solid::{Solid, across};
+use smooth_solid::{Solid, across};
 use support::Supported;
 
 /// A convex shape of space whose surface consists of smooth pieces, inflated by a radius.
@@ -214,7 +216,7 @@ where
                 true => (curved_search::search_farthest(plain_a, plain_b)?, -1.0),
                 false => (curved_search::search(plain_a, plain_b)?, 1.0),
             };
-            let pieces = curved_search::pieces([plain_a, plain_b], &found, side);
+            let pieces = solid_pair::pieces([plain_a, plain_b], &found, side);
             Some(replay((of_a, of_b), pieces, &found, side))
         });
     let Some(found) = found else {

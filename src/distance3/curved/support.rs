@@ -1,6 +1,6 @@
 //! Convex solids of plain numbers by their supports.
 use super::piece::{Piece, PieceKind, Place};
-use super::solid::Solid;
+use super::smooth_solid::Solid;
 use crate::Vec3;
 
 /// A convex solid of plain numbers.

@@ -30,6 +30,8 @@ pub struct Touch<S> {
 struct Units {
     /// Of the equations by coordinates: shares of the largest half extent of an ellipsoid, else ones.
     shares: [f64; 3],
+    /// Of an ellipsoid one over the largest half extent; 0 if that is zero.
+    over: f64,
     /// Of the equation by the share of the axis: one over its length.
     axis: f64,
 }
@@ -37,7 +39,12 @@ struct Units {
 impl Units {
     fn of(piece: &Piece<f64>, place: &Place<f64>) -> Self {
         let length = piece.by_share(place).length();
+        let most = piece.sizes.iter().copied().fold(0.0, f64::max);
         Units {
+            over: match piece.kind == PieceKind::Ball && most > 0.0 {
+                true => 1.0 / most,
+                false => 0.0,
+            },
             shares: match piece.kind {
                 PieceKind::Ball => shares(&piece.sizes),
                 _ => [1.0; 3],
@@ -177,14 +184,21 @@ impl System {
     pub fn residuals<S: Scalar>(&self, pieces: [&Piece<S>; 2], touch: &Touch<S>) -> [S; MOST] {
         let mut out = [S::zero(); MOST];
         let way = pieces[1].at(&touch.b) - pieces[0].at(&touch.a);
+        let gap = touch.normal.dot(way);
         for k in 0..2 {
-            out[k] = lit::<S>(self.tangents[k]).dot(way);
+            // The vector across the normal, seen along constant directions.
+            let tangent = lit::<S>(self.tangents[k]);
+            out[k] = tangent.dot(way) - tangent.dot(touch.normal) * gap;
         }
         let mut at = 2;
         let sides = [(&touch.a, touch.normal), (&touch.b, -touch.normal)];
         for ((piece, (place, normal)), units) in pieces.into_iter().zip(sides).zip(&self.units) {
             for j in 0..piece.kind.ways() {
-                let along = normal.dot(piece.ways[j]) * S::lit(units.shares[j]);
+                let along = normal.dot(piece.ways[j]);
+                let along = match units.over > 0.0 {
+                    true => along * piece.sizes[j] * S::lit(units.over),
+                    false => along,
+                };
                 out[at] = match piece.kind.is_round() {
                     true => along - place.pull * place.y[j],
                     false => along,

@@ -2,6 +2,9 @@
 mod borders;
 mod certificates;
 mod contacts;
+mod curved;
+mod curved_draw;
+mod curved_slopes;
 mod depths;
 mod distances;
 mod draw;
@@ -15,6 +18,7 @@ mod hull_slopes;
 mod hulls;
 mod inertia;
 pub mod oracle;
+mod pair_table;
 mod parallels;
 mod points;
 mod ray_rows;
