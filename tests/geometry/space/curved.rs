@@ -26,7 +26,7 @@ macro_rules! each_pair {
 
 /// The gap of the supports along a normal, relative to a point.
 fn gap<A: Body, B: Body>(a: &A, b: &B, normal: Vec3<f64>) -> f64 {
-    normal.dot(b.farthest(-normal) - a.farthest(normal))
+    normal.dot(b.high(-normal) - a.high(normal))
 }
 
 /// The largest gap along directions near some of the best of many random ones.
@@ -303,11 +303,11 @@ fn half_spaces_touch_ellipsoids_and_discs_at_their_supports() {
             let bound = 1e-13 * (1.0 + first.at.length() + second.at.length());
             let low = |point: Vec3<f64>| unit.dot(point - second.at);
             assert!(
-                (floor.signed_distance(egg) - low(egg.farthest(-unit))).abs() < bound,
+                (floor.signed_distance(egg) - low(egg.high(-unit))).abs() < bound,
                 "{egg:?}"
             );
             assert!(
-                (floor.signed_distance(coin) - low(coin.farthest(-unit))).abs() < bound,
+                (floor.signed_distance(coin) - low(coin.high(-unit))).abs() < bound,
                 "{coin:?}"
             );
         }

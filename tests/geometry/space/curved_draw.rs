@@ -95,7 +95,7 @@ pub fn frames(random: &mut Random, family: usize) -> [Frame; 2] {
 pub trait Body: Copy + std::fmt::Debug {
     fn drawn(frame: Frame) -> Self;
     /// The farthest point in a direction.
-    fn farthest(&self, way: Vec3<f64>) -> Vec3<f64>;
+    fn high(&self, way: Vec3<f64>) -> Vec3<f64>;
     /// An upper bound of how far a point is outside.
     fn outside(&self, point: Vec3<f64>) -> f64;
     fn size(&self) -> f64;
@@ -127,7 +127,7 @@ impl Body for Ellipsoid<f64> {
     ) -> Self {
         Ellipsoid::new(at, Vec3::new(x, y, z), turn)
     }
-    fn farthest(&self, way: Vec3<f64>) -> Vec3<f64> {
+    fn high(&self, way: Vec3<f64>) -> Vec3<f64> {
         let local = self.rotation.inverse() * way;
         let Vec3 { x, y, z } = self.semi_axes;
         let seen = unit(Vec3::new(local.x * x, local.y * y, local.z * z));
@@ -184,7 +184,7 @@ impl Body for Cylinder<f64> {
         let half = turn * Vec3::new(0.0, 0.0, if x > 0.0 { x } else { 0.7 });
         Cylinder::new(at - half, at + half, y)
     }
-    fn farthest(&self, way: Vec3<f64>) -> Vec3<f64> {
+    fn high(&self, way: Vec3<f64>) -> Vec3<f64> {
         let axis = self.end - self.start;
         let end = if axis.dot(way) > 0.0 {
             self.end
@@ -218,7 +218,7 @@ impl Body for Cone<f64> {
         let half = turn * Vec3::new(0.0, 0.0, if x > 0.0 { x } else { 0.7 });
         Cone::new(at + half, at - half, y)
     }
-    fn farthest(&self, way: Vec3<f64>) -> Vec3<f64> {
+    fn high(&self, way: Vec3<f64>) -> Vec3<f64> {
         let axis = self.base - self.apex;
         let rim = axis + unit(split(way, axis).1) * self.radius;
         if rim.dot(way) > 0.0 {
@@ -252,7 +252,7 @@ impl Body for Disc<f64> {
     ) -> Self {
         Disc::new(at, turn * Vec3::new(0.0, 0.0, 0.5 + x), y)
     }
-    fn farthest(&self, way: Vec3<f64>) -> Vec3<f64> {
+    fn high(&self, way: Vec3<f64>) -> Vec3<f64> {
         self.center + unit(split(way, self.normal).1) * self.radius
     }
     fn outside(&self, point: Vec3<f64>) -> f64 {
@@ -277,7 +277,7 @@ impl Body for Obb3<f64> {
     ) -> Self {
         Obb3::new(at, Vec3::new(x, y, z) * 2.0, turn)
     }
-    fn farthest(&self, way: Vec3<f64>) -> Vec3<f64> {
+    fn high(&self, way: Vec3<f64>) -> Vec3<f64> {
         let high = |p: &Vec3<f64>, q: &Vec3<f64>| {
             way.dot(*p - self.center)
                 .total_cmp(&way.dot(*q - self.center))
@@ -331,7 +331,7 @@ impl Body for Capsule3<f64> {
         let half = turn * Vec3::new(0.0, 0.0, x);
         Capsule3::new(at - half, at + half, 0.5 * y)
     }
-    fn farthest(&self, way: Vec3<f64>) -> Vec3<f64> {
+    fn high(&self, way: Vec3<f64>) -> Vec3<f64> {
         let end = if (self.end - self.start).dot(way) > 0.0 {
             self.end
         } else {
@@ -363,7 +363,7 @@ macro_rules! cornered {
                 let _ = ($y, $z);
                 $made
             }
-            fn farthest(&self, way: Vec3<f64>) -> Vec3<f64> {
+            fn high(&self, way: Vec3<f64>) -> Vec3<f64> {
                 let $shape = self;
                 let all = $corners;
                 let high = |p: &Vec3<f64>, q: &Vec3<f64>| way.dot(*p - all[0]).total_cmp(&way.dot(*q - all[0]));
