@@ -44,7 +44,8 @@ fn level(solid: &dyn Supported, normal: Vec3<f64>, slack: f64) -> Option<usize> 
 }
 
 /// Returns a touch in the middle of what two flat pieces share, if several points of them are equally near; else the
-/// given one. The middle does not depend on rounding: it is where steps lead that begin in the middle of both pieces.
+/// given one. The middle does not depend on rounding: it is halfway along a line through a point to which steps lead
+/// that begin between the middles of both.
 pub fn shared(solids: &Solids<'_>, found: Found) -> Found {
     let (normal, slack) = (found.touch.normal, LEVEL * solids.size);
     let (a, b) = (solids.a, solids.b);
@@ -66,6 +67,29 @@ pub fn shared(solids: &Solids<'_>, found: Found) -> Found {
         if step <= f64::EPSILON * solids.size {
             break;
         }
+    }
+    let off = |at: Vec3<f64>| {
+        let (p, q) = (of_a.at(&on_a(at)), of_b.at(&on_b(at)) - way);
+        (p - at).length().max((q - at).length())
+    };
+    let between = middle(b, &of_b, -normal) - way - middle(a, &of_a, normal);
+    let length = between.length();
+    let common = off(at).max(slack);
+    if length > slack {
+        // The middle of what both have on the line through it from one middle to the other.
+        let along = between * (1.0 / length);
+        let reach = |side: f64| {
+            let (mut inside, mut outside) = (0.0, 4.0 * solids.size);
+            for _ in 0..STEPS {
+                let half = 0.5 * (inside + outside);
+                match off(at + along * (side * half)) <= common {
+                    true => inside = half,
+                    false => outside = half,
+                }
+            }
+            inside * side
+        };
+        at += along * (0.5 * (reach(1.0) + reach(-1.0)));
     }
     let touch = Touch {
         normal,
