@@ -214,10 +214,10 @@ pub mod prelude {
     pub use crate::pack::{Fixed as _, Pack as _};
     pub use crate::scalar::{Mask as _, Scalar};
     pub use crate::shape::{
-        Aabb2, Aabb3, Capsule2, Capsule3, Circle, Cone, ConvexPolygon, Cylinder, Hull3, Interval,
-        Line2, Line3, Obb2, Obb3, Plane3, Pose2, Pose3, Ray2, Ray3, Rotation2, Rotation3,
-        RoundBox3, Segment2, Segment3, Sphere, Symmetric3, Tetrahedron, Triangle2, Triangle3, Vec2,
-        Vec3, YawBox3,
+        Aabb2, Aabb3, Capsule2, Capsule3, Circle, Cone, ConvexPolygon, Cylinder, Disc, Ellipsoid,
+        Hull3, Interval, Line2, Line3, Obb2, Obb3, Plane3, Pose2, Pose3, Ray2, Ray3, Rotation2,
+        Rotation3, RoundBox3, Segment2, Segment3, Sphere, Symmetric3, Tetrahedron, Triangle2,
+        Triangle3, Vec2, Vec3, YawBox3,
     };
 }
 
@@ -238,8 +238,8 @@ pub use product::Code;
 pub use rule::Rule;
 pub use scalar::{Jet, Lanes, Mask, Real, Scalar};
 pub use shape::{
-    Aabb2, Aabb3, Capsule2, Capsule3, Circle, Cone, ConvexPolygon, Cylinder, EulerOrder, Hull3,
-    Interval, Line2, Line3, Obb2, Obb3, Plane3, Pose2, Pose3, Ray2, Ray3, Rotation2, Rotation3,
-    RoundBox3, Segment2, Segment3, Sphere, Symmetric3, Tetrahedron, Triangle2, Triangle3, Vec2,
-    Vec3, YawBox3,
+    Aabb2, Aabb3, Capsule2, Capsule3, Circle, Cone, ConvexPolygon, Cylinder, Disc, Ellipsoid,
+    EulerOrder, Hull3, Interval, Line2, Line3, Obb2, Obb3, Plane3, Pose2, Pose3, Ray2, Ray3,
+    Rotation2, Rotation3, RoundBox3, Segment2, Segment3, Sphere, Symmetric3, Tetrahedron,
+    Triangle2, Triangle3, Vec2, Vec3, YawBox3,
 };

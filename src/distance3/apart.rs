@@ -12,8 +12,8 @@ use crate::{Scalar, Vec3};
 
 /// Two shapes of space that are some distance apart: `a.distance(b)` and alike.
 ///
-/// Any two convex shapes with a core are, a half-space ([`Plane3`]) and anything that ends, and a point or ball and a
-/// cylinder or cone.
+/// Any two convex shapes with a core are, a half-space ([`Plane3`]) and anything that ends, and curved shapes and any of
+/// these.
 ///
 /// ```
 /// use geograd::distance3::Apart;
@@ -28,7 +28,7 @@ use crate::{Scalar, Vec3};
 #[diagnostic::on_unimplemented(
     message = "the methods of distances do not take `{Self}` and `{B}`",
     label = "no distance from `{B}`",
-    note = "cylinders and cones have distances from points, balls and half-spaces"
+    note = "lines, rays and hulls have none from cylinders, cones, ellipsoids and discs"
 )]
 pub trait Apart<B>: Copy {
     /// Their numbers.

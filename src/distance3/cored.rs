@@ -43,7 +43,7 @@ pub(crate) trait InflatedCore: Copy + Pack<Scalar: Scalar> {
 /// Returns the axes of a rotation: quotients by the squared length of its quaternion, so that quarter turns have none
 /// but zeros and ones. The zero quaternion is no rotation.
 #[inline(always)]
-fn axes<S: Scalar>(q: Rotation3<S>) -> [Vec3<S>; 3] {
+pub(super) fn axes<S: Scalar>(q: Rotation3<S>) -> [Vec3<S>; 3] {
     let scale = scale_of::<S>(largest([q.w, q.x, q.y, q.z]));
     let [w, x, y, z] = [q.w, q.x, q.y, q.z].each_as(|part| part * scale);
     let square = (w * w + x * x) + (y * y + z * z);

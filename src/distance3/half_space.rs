@@ -54,7 +54,11 @@ impl<A: InflatedCore> Bounded for A {
 /// Returns the depth of a circle's lowest point below its centre, and the vector from it to the centre. Both are zero
 /// if the normal is along the circle's axis.
 #[inline(always)]
-fn lowest_of_circle<S: Scalar>(axis: Vec3<S>, radius: S, normal: Vec3<S>) -> (S, Vec3<S>) {
+pub(super) fn lowest_of_circle<S: Scalar>(
+    axis: Vec3<S>,
+    radius: S,
+    normal: Vec3<S>,
+) -> (S, Vec3<S>) {
     let axis = direction(axis * scale_of::<S>(largest([axis.x, axis.y, axis.z])));
     let slope = axis.cross(normal).cross(axis);
     (slope.length() * radius, direction(slope) * radius)

@@ -4,7 +4,9 @@
 //! [`Capsule3`](crate::Capsule3), any two of them; half-spaces ([`Plane3`](crate::Plane3)) and all of these,
 //! [`Cylinder`](crate::Cylinder) and [`Cone`](crate::Cone); points and balls and cylinders and cones. Lines and rays
 //! ([`Line3`](crate::Line3), [`Ray3`](crate::Ray3)), each other and any of the first ten. Convex hulls
-//! ([`Hull3`](crate::Hull3)), each other, any of the first ten and half-spaces: by a search ([`hulls`]).
+//! ([`Hull3`](crate::Hull3)), each other, any of the first ten and half-spaces: by a search ([`hulls`]). Cylinders,
+//! cones, [`Ellipsoid`](crate::Ellipsoid), [`Disc`](crate::Disc) and own shapes by their support functions
+//! ([`BySupport`]), each other, any of the first ten and half-spaces: by another search ([`curved`]).
 //!
 //! ```
 //! use geograd::{Obb3, Rotation3, Vec3, distance3::signed_distance};
@@ -49,17 +51,19 @@
 //! | upright box, two | | | | | | | D Q S C P F | |
 //! | round box | | | | | | | | d q S c p f |
 //! | half-space | d q S c p - | d q S c p - | d q S c p - | d q S c P - | d q S c p - | d q S c p - | d q S c P - | d q S c p - |
-//! | cylinder | D q S c p f | d q S c p f | - | - | - | - | - | - |
-//! | cone | D q S c p f | d q S c p f | - | - | - | - | - | - |
+//! | cylinder | D q S c p f | d q S c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f |
+//! | cone | D q S c p f | d q S c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f |
+//! | ellipsoid, disc, own | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f |
 //! | hull | D q S C p f | D q S C P f | D q s c p f | D q S C P f | D q S c p f | D q S c p f | D q S C P f | D q S c P f |
 //!
 //! | line | D q s C p - | d q S c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - |
 //! | ray | D q s c p - | d q S c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - |
 //!
-//! Two hulls have D q S C P f, a half-space and a hull d q S c P. A half-space and a cylinder or a cone have d q S c p;
-//! lines and rays have d q s c p among themselves, any two D, two lines C, too. For a solid, the part of them near it
-//! counts; its ends are rounded as the solid's corners are. Rays, lines and segments against solids:
-//! [`intersection3`](crate::intersection3).
+//! Two hulls have D Q S C P f, a half-space and a hull d q S c P. Cylinders, cones, ellipsoids, discs and own shapes have
+//! d q s c p f among themselves, and d q s c p from half-spaces; pairs that [`curved`] searches have methods for one item
+//! at a time alone, not for batches. Hulls and curved shapes have no distance from each other. Lines and rays have d q s c
+//! p among themselves, any two D, two lines C, too. For a solid, the part of them near it counts; its ends are rounded as
+//! the solid's corners are. Rays, lines and segments against solids: [`intersection3`](crate::intersection3).
 //!
 //! # Derivatives
 //!
@@ -90,6 +94,7 @@ pub(crate) mod boxes;
 mod contact;
 pub(crate) mod core;
 pub(crate) mod cored;
+pub mod curved;
 pub(crate) mod deep;
 mod endless;
 mod facing;
@@ -113,5 +118,6 @@ pub use apart::{
     Apart, closest_points, distance, farthest_distance, penetration, signed_distance,
     squared_distance,
 };
+pub use curved::{BySupport, SupportFunction};
 pub use manifold::{ContactPoint3, Contacts3, contacts};
 pub use outcome::{Contact3, PointPair3};

@@ -144,6 +144,8 @@ const NOUNS: &[&str] = &[
     "ConvexPolygon",
     "Cylinder",
     "Detectron",
+    "Disc",
+    "Ellipsoid",
     "Hull",
     "ImageBox",
     "Interval",

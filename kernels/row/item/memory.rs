@@ -4,9 +4,9 @@ use crate::distance3::{Contact3, PointPair3};
 use crate::intersection::{Chord, CommonPart, CommonPoint, Hit};
 use crate::intersection3::{CommonLine3, CommonPoint3, Hit3};
 use crate::shape::{
-    Aabb3, Capsule2, Capsule3, Circle, Cone, Cylinder, Interval, Line2, Line3, Obb3, Plane3, Pose3,
-    Ray2, Ray3, Rotation3, RoundBox3, Segment2, Segment3, Sphere, Symmetric3, Tetrahedron,
-    Triangle2, Triangle3, YawBox3,
+    Aabb3, Capsule2, Capsule3, Circle, Cone, Cylinder, Disc, Ellipsoid, Interval, Line2, Line3,
+    Obb3, Plane3, Pose3, Ray2, Ray3, Rotation3, RoundBox3, Segment2, Segment3, Sphere, Symmetric3,
+    Tetrahedron, Triangle2, Triangle3, YawBox3,
 };
 use crate::{Aabb2, Fixed, Obb2, Pose2, Rotation2, Vec2, Vec3};
 use std::any::TypeId;
@@ -32,6 +32,7 @@ where
     any_of!(Vec2 Vec3 Rotation2 Rotation3 Pose2 Pose3 Aabb2 Aabb3 Obb2 Obb3 YawBox3
         Segment2 Line2 Ray2 Triangle2 Circle Capsule2 Interval
         Segment3 Line3 Ray3 Triangle3 Plane3 Sphere Capsule3 Cylinder Cone Tetrahedron RoundBox3 Symmetric3
+        Ellipsoid Disc
         PointPair FarthestPoints Contact PointPair3 Contact3
         Chord Hit CommonPoint CommonPart Hit3 CommonLine3 CommonPoint3; 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16)
         && size_of::<P>() == P::LEN * size_of::<P::Scalar>()

@@ -2,6 +2,9 @@
 mod borders;
 mod certificates;
 mod contacts;
+mod curved;
+mod curved_draw;
+mod curved_slopes;
 mod depths;
 mod distances;
 mod draw;
@@ -18,6 +21,7 @@ mod inertia;
 mod manifolds;
 mod motion;
 pub mod oracle;
+mod pair_table;
 mod parallels;
 mod points;
 mod ray_rows;

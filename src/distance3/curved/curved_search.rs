@@ -1,0 +1,338 @@
+//! The search for the pieces of two solids that touch along the normal from one to the other.
+//!
+//! Supports find a direction: by nearest points where the solids are apart, by an expansion where they overlap. Solids
+//! that overlap are then parted along it, and their nearest points give a direction that is better, until it stays.
+//! Newton's step makes of it the pieces, the places and the normal to all digits. Whatever is found comes with a proof:
+//! the gap of the supports along the normal bounds the signed distance from below, two points of the solids bound the
+//! distance from above, and the difference is stated. Of solids that overlap it proves a direction to be one of the best
+//! near it; the expansion bounds how much better another could be.
+use super::expand::exits;
+use super::gap::gap;
+use super::level::shared;
+use super::piece::{PieceKind, Place};
+use super::solid_pair::{Found, Solids};
+use super::support::Supported;
+use super::touch::{System, Touch};
+use super::touching::{Candidate, candidates};
+use crate::Vec3;
+
+/// The error up to which a touch is exact, relative to the size.
+const EXACT: f64 = 1e-13;
+/// The error up to which a touch is good enough.
+const GOOD: f64 = 1e-12;
+/// The step and the residual that are none.
+const SETTLED: f64 = 1e-9;
+/// The number of Newton's steps.
+const STEPS: usize = 12;
+/// The most pairs of pieces that are tried.
+const PAIRS: usize = 24;
+/// How often solids that overlap are parted.
+const PARTINGS: usize = 4;
+
+impl Solids<'_> {
+    /// Returns the pieces of both that may touch near two points, likely ones first.
+    fn near(&self, normal: Vec3<f64>, on_a: Vec3<f64>, on_b: Vec3<f64>) -> [Vec<Candidate>; 2] {
+        let out = normal * self.side;
+        let mut both = [
+            candidates(self.a, out, on_a),
+            candidates(self.b, -out, on_b),
+        ];
+        for candidate in both.iter_mut().flatten() {
+            candidate.place.pull *= self.side;
+        }
+        both
+    }
+    /// Returns 0 for a touch that is exact, settled and regular, 1 if only equations depend on each other, more for
+    /// others, 4 for one that is not exact.
+    fn grade(&self, found: &Found) -> usize {
+        match found.error <= EXACT * self.size {
+            true => usize::from(!found.regular) + 2 * usize::from(!found.settled),
+            false => 4,
+        }
+    }
+    /// Returns `true` if a touch is worse than another one along about the same normal.
+    fn is_worse(&self, found: &Found, other: &Found) -> bool {
+        let (p, q) = (self.grade(found), self.grade(other));
+        q < p || p == 4 && q == 4 && other.error < found.error
+    }
+    /// Returns the touch of two pieces with the least error that steps from a first one lead to, if its value is not
+    /// below a bound.
+    fn attempt(&self, pieces: [usize; 2], first: Touch<f64>, floor: f64) -> Option<Found> {
+        let (mut touch, mut kept): (_, Option<(Found, f64)>) = (first, None);
+        for step in 0..STEPS {
+            let [a, b] = self.pieces(pieces, touch.normal);
+            let system = System::new([&a, &b], &touch);
+            let on = Touch {
+                normal: touch.normal,
+                a: self.a.clamped(pieces[0], &touch.a),
+                b: self.b.clamped(pieces[1], &touch.b),
+            };
+            let off = |p: &Place<f64>, q: &Place<f64>| {
+                let shift = |k: usize| (p.y[k] - q.y[k]).abs();
+                shift(0) + shift(1) + (p.s - q.s).abs()
+            };
+            let value = self.value(touch.normal);
+            let error = ((b.at(&on.b) - a.at(&on.a)) - touch.normal * value).length();
+            let residuals = system.residuals([&a, &b], &touch);
+            let changes = system.solve(&residuals);
+            let change = changes.iter().map(|x| x * x).sum::<f64>().sqrt();
+            let exact = error <= EXACT * self.size;
+            let better = |(kept, last): &(Found, f64)| match exact {
+                true => change < *last || kept.error > EXACT * self.size,
+                false => error < kept.error,
+            };
+            if value >= floor && kept.as_ref().is_none_or(better) {
+                let rest = residuals.iter().fold(change, |most, x| most.max(x.abs()));
+                let off = off(&touch.a, &on.a) + off(&touch.b, &on.b);
+                let found = Found {
+                    pieces,
+                    touch: on,
+                    value,
+                    error,
+                    regular: system.rank == system.count,
+                    settled: off.max(rest) <= SETTLED,
+                };
+                kept = Some((found, change));
+            } else if step > 3 {
+                break;
+            }
+            if !(1e-16..f64::INFINITY).contains(&change) {
+                break;
+            }
+            let limit = (0.7 / change).min(1.0);
+            touch = system.moved([a.kind, b.kind], &touch, &changes.map(|x| x * limit));
+        }
+        kept.map(|kept| kept.0)
+    }
+    /// Tries pairs of pieces, likely ones first; returns `true` if one is exact and regular.
+    fn try_pairs(
+        &self,
+        best: &mut Option<Found>,
+        (of_a, of_b): (&[Candidate], &[Candidate]),
+        normal: Vec3<f64>,
+        floor: f64,
+    ) -> bool {
+        let mut pairs = Vec::new();
+        for p in of_a {
+            pairs.extend(of_b.iter().map(|q| (p, q)));
+        }
+        pairs.sort_by(|(p, q), (r, s)| (p.off + q.off).total_cmp(&(r.off + s.off)));
+        for (p, q) in pairs.into_iter().take(PAIRS) {
+            let first = Touch {
+                normal,
+                a: p.place,
+                b: q.place,
+            };
+            let Some(found) = self.attempt([p.piece, q.piece], first, floor) else {
+                continue;
+            };
+            if best.as_ref().is_none_or(|best| self.is_worse(best, &found)) {
+                *best = Some(found);
+            }
+            if self.grade(&found) < 2 {
+                return true;
+            }
+        }
+        false
+    }
+    /// Returns the touch near a normal and two points, whose value is no less than that of the normal.
+    fn polish(&self, normal: Vec3<f64>, on_a: Vec3<f64>, on_b: Vec3<f64>) -> Option<Found> {
+        let floor = self.value(normal) - EXACT * self.size;
+        let mut best = None;
+        let [of_a, of_b] = self.near(normal, on_a, on_b);
+        let found = self.try_pairs(&mut best, (&of_a, &of_b), normal, floor);
+        if found || self.side < 0.0 || best.as_ref().is_some_and(|best| self.grade(best) < 4) {
+            return best;
+        }
+        // Along the normal of a face that is all but orthogonal another point may be the lowest, far from these.
+        for (own, other, side, foot) in [(self.a, self.b, 1.0, on_a), (self.b, self.a, -1.0, on_b)]
+        {
+            for k in 0..own.pieces() {
+                let piece = own.piece(k, normal * side);
+                let up = piece.ways[0].cross(piece.ways[1]);
+                let length = up.length() * side.signum();
+                if piece.kind != PieceKind::Face || length == 0.0 {
+                    continue;
+                }
+                let up = up * (1.0 / length.abs());
+                let up = if up.dot(normal) * side < 0.0 { -up } else { up };
+                if up.dot(normal) * side < 0.999 {
+                    continue;
+                }
+                let at = other.support(-up);
+                let mut ours = candidates(own, up, at + up * up.dot(foot - at));
+                ours.retain(|candidate| candidate.piece == k);
+                let theirs = candidates(other, -up, at);
+                let pair = if side > 0.0 {
+                    (&*ours, &*theirs)
+                } else {
+                    (&*theirs, &*ours)
+                };
+                if self.try_pairs(&mut best, pair, up * side, floor) {
+                    return best;
+                }
+            }
+        }
+        best
+    }
+    /// Returns the touch along a normal of points that are known, as fixed ones.
+    fn plain(&self, normal: Vec3<f64>, on_a: Vec3<f64>, on_b: Vec3<f64>) -> Option<Found> {
+        let [of_a, of_b] = self.near(normal, on_a, on_b);
+        let (p, q) = (of_a.first()?, of_b.first()?);
+        let value = self.value(normal);
+        let [a, b] = self.pieces([p.piece, q.piece], normal);
+        Some(Found {
+            pieces: [p.piece, q.piece],
+            touch: Touch {
+                normal,
+                a: p.place,
+                b: q.place,
+            },
+            value,
+            error: ((b.at(&q.place) - a.at(&p.place)) - normal * value).length(),
+            regular: false,
+            settled: false,
+        })
+    }
+    /// Keeps the better one of two touches along any normals.
+    fn take(&self, best: &mut Option<Found>, found: Option<Found>) {
+        let Some(found) = found else { return };
+        let slack = EXACT * self.size;
+        let better = best.as_ref().is_none_or(|best| {
+            let level = (found.value - best.value).abs() <= slack;
+            found.value > best.value + slack || level && self.is_worse(best, &found)
+        });
+        if better {
+            *best = Some(found);
+        }
+    }
+    /// Returns the touch of solids that overlap, or nearly so, beginning with a normal.
+    fn parted(&self, best: &mut Option<Found>, first: Vec3<f64>) {
+        let (mut normal, mut value) = (first, self.value(first));
+        let (mut on_a, mut on_b) = (self.a.support(first), self.b.support(-first));
+        for round in 0..PARTINGS {
+            let by = normal * (0.1 * self.size - value);
+            let near = gap(&|way| self.lowest(way, by), normal);
+            let length = near.way.length();
+            if length == 0.0 || near.inside {
+                break;
+            }
+            let next = near.way * (1.0 / length);
+            let better = self.value(next);
+            if better < value - EXACT * self.size {
+                break;
+            }
+            (normal, on_a, on_b) = (next, near.on_a, near.on_b - by);
+            let gain = better - value;
+            value = better;
+            if round > 0 && gain <= 1e-9 * self.size {
+                break;
+            }
+        }
+        let known =
+            |best: &Found| (best.touch.normal - normal).length() <= 1e-7 && self.grade(best) == 0;
+        if !best.as_ref().is_some_and(known) {
+            self.take(best, self.plain(normal, on_a, on_b));
+            self.take(best, self.polish(normal, on_a, on_b));
+        }
+    }
+}
+
+/// Returns the touch that decides about the relation of two solids.
+pub fn search(a: &dyn Supported, b: &dyn Supported) -> Option<Found> {
+    let way = b.middle() - a.middle();
+    let size = a
+        .size()
+        .max(b.size())
+        .max(way.length())
+        .max(f64::MIN_POSITIVE);
+    let solids = Solids {
+        a,
+        b,
+        size,
+        side: 1.0,
+    };
+    let first = match way.length_squared() > 0.0 {
+        true => way,
+        false => Vec3::new(0.0, 0.0, 1.0),
+    };
+    let near = gap(&|way| solids.lowest(way, Vec3::zero()), first);
+    let length = near.way.length();
+    let mut best = None;
+    if !near.inside && length > GOOD * size {
+        let normal = near.way * (1.0 / length);
+        self::Solids::take(
+            &solids,
+            &mut best,
+            solids.plain(normal, near.on_a, near.on_b),
+        );
+        let polished = solids.polish(normal, near.on_a, near.on_b);
+        let exact = polished
+            .as_ref()
+            .is_some_and(|found| found.error <= EXACT * size);
+        match exact {
+            true => best = polished,
+            false => solids.take(&mut best, polished),
+        }
+    }
+    let apart = |found: &Found| found.error <= GOOD * size && found.value > 0.0;
+    if !best.as_ref().is_some_and(apart) {
+        for exit in exits(&|way| solids.lowest(way, Vec3::zero())) {
+            // A bound from below of the depth.
+            let deeper = |best: &Found| best.error <= GOOD * size && exit.depth >= -best.value;
+            if !best.as_ref().is_some_and(deeper) {
+                solids.parted(&mut best, exit.normal);
+            }
+        }
+    }
+    best.map(|found| shared(&solids, found))
+}
+
+/// The number of steps to a direction in which two solids are the farthest.
+const ASCENTS: usize = 100;
+
+/// Returns the touch of the points of two solids that are the farthest from each other.
+pub fn search_farthest(a: &dyn Supported, b: &dyn Supported) -> Option<Found> {
+    let way = b.middle() - a.middle();
+    let size = a
+        .size()
+        .max(b.size())
+        .max(way.length())
+        .max(f64::MIN_POSITIVE);
+    let solids = Solids {
+        a,
+        b,
+        size,
+        side: -1.0,
+    };
+    let mut starts = vec![way];
+    for code in 0..27 {
+        let side = |k: usize| f64::from(code / 3_i32.pow(k as u32) % 3 - 1);
+        starts.push(Vec3::new(side(0), side(1), side(2)));
+    }
+    let mut best: Option<(f64, Vec3<f64>)> = None;
+    for mut way in starts {
+        let (mut length, mut normal) = (way.length(), way);
+        if length == 0.0 {
+            continue;
+        }
+        for _ in 0..ASCENTS {
+            normal = way * (1.0 / length);
+            way = b.support(normal) - a.support(-normal);
+            length = way.length();
+            if length == 0.0 || normal.dot(way) >= length * (1.0 - f64::EPSILON) {
+                break;
+            }
+        }
+        let value = solids.value(normal);
+        if best.is_none_or(|best| value > best.0) {
+            best = Some((value, normal));
+        }
+    }
+    let (_, normal) = best?;
+    let (on_a, on_b) = (a.support(-normal), b.support(normal));
+    let mut found = None;
+    solids.take(&mut found, solids.plain(normal, on_a, on_b));
+    solids.take(&mut found, solids.polish(normal, on_a, on_b));
+    found
+}

@@ -1,0 +1,335 @@
+//! Distances of curved shapes of space: ellipsoids, cylinders, cones, discs, and own shapes by their support functions
+//! ([`BySupport`]), from each other and from every shape that is the hull of a few corners with a radius.
+//!
+//! Plain numbers decide which smooth pieces touch along the normal from one shape to the other: the side, a rim or an
+//! end of a cylinder, the side, the rim, the base or the apex of a cone, the surface of an ellipsoid, a corner, an edge
+//! or a face of the others. A search by supports gives the normal to some digits, Newton's step the normal and the
+//! places to all of them, where the shapes are apart and where they overlap. The replay takes this step with
+//! derivatives: first and second derivatives are those of the distance, by pose and by shape, and the normal and the
+//! points have them, too.
+//!
+//! ```
+//! use geograd::distance3::{penetration, signed_distance};
+//! use geograd::{Cylinder, Ellipsoid, Rotation3, Vec3};
+//! let can = Cylinder::new(Vec3::new(0.0_f64, 0.0, 0.0), Vec3::new(0.0, 0.0, 2.0), 1.0);
+//! let egg = |x: f64| Ellipsoid::new(Vec3::new(x, 0.0, 1.0), Vec3::new(2.0, 1.0, 1.0), Rotation3::identity());
+//! assert!((signed_distance(can, egg(4.0)) - 1.0).abs() < 1e-14);
+//! let out = penetration(can, egg(2.5));
+//! assert!((out.depth - 0.5).abs() < 1e-14 && (out.direction.x - 1.0).abs() < 1e-14);
+//! ```
+//!
+//! Flat pieces that lie on each other have the derivative of the middle of their overlap. Of several directions that are
+//! equally deep one counts. On the borders of pieces, such as a rim, the derivative belongs to one of them.
+//!
+//! The search decides in `f64`, also for `f32`. Numbers over other formats have no relation: it is zero.
+mod by_support;
+mod curved_replay;
+mod curved_search;
+mod expand;
+mod gap;
+mod level;
+mod piece;
+mod smooth_solid;
+mod solid_pair;
+mod support;
+mod touch;
+mod touching;
+
+use super::apart::Apart;
+use super::core::Core3;
+use super::cored::{InflatedCore, axes};
+use super::half_space::Bounded;
+use super::relation::{Relation, direction, square_of_gap};
+use crate::arrays::Each;
+use crate::distance::edge::scale_of;
+use crate::scalar::Guard;
+use crate::shape::{
+    Aabb3, Capsule3, Cone, Cylinder, Disc, Ellipsoid, Obb3, RoundBox3, Segment3, Tetrahedron,
+    Triangle3, YawBox3,
+};
+use crate::{Pack, Scalar, Vec3};
+pub use by_support::{BySupport, SupportFunction};
+use curved_replay::{Pieces, replay};
+use piece::Piece;
+use smooth_solid::{Solid, across};
+use support::Supported;
+
+/// A convex shape of space whose surface consists of smooth pieces, inflated by a radius.
+pub(crate) trait Curved: Copy + Pack<Scalar: Scalar<Mask = bool>> {
+    /// The shape in the units of a search.
+    #[doc(hidden)]
+    type Placed: Placed<Self::Scalar>;
+    /// Returns a point of it, to which a pair is relative.
+    fn anchor_point(&self) -> Vec3<Self::Scalar>;
+    /// Returns the shape relative to a point, in other units.
+    fn in_units(&self, from: Vec3<Self::Scalar>, scale: Self::Scalar) -> Self::Placed;
+    /// Returns the radius of the inflation, if it may be other than zero.
+    #[inline]
+    fn rounding(&self) -> Option<Self::Scalar> {
+        None
+    }
+}
+
+/// A shape in the units of a search.
+pub(crate) trait Placed<S: Scalar>: Pieces<S> {
+    /// The shape of plain numbers.
+    type Plain: Supported;
+    /// Returns the largest magnitude of a coordinate or length.
+    fn reach(&self) -> S::Primal;
+    /// Returns the shape of plain numbers; `None` where one is not finite.
+    fn plain(&self) -> Option<Self::Plain>;
+}
+
+impl<S: Scalar> Pieces<S> for Solid<S> {
+    fn piece_at(&self, k: usize, _: Vec3<S>) -> Piece<S> {
+        self.piece(k)
+    }
+}
+
+impl<S: Scalar> Placed<S> for Solid<S> {
+    type Plain = Solid<f64>;
+    fn reach(&self) -> S::Primal {
+        Solid::reach(self)
+    }
+    fn plain(&self) -> Option<Solid<f64>> {
+        self.widened()
+    }
+}
+
+/// Returns half of a size along each axis.
+fn halves<S: Scalar>(size: Vec3<S>) -> [S; 3] {
+    [size.x, size.y, size.z]
+}
+
+impl<S: Scalar<Mask = bool>> Curved for Ellipsoid<S> {
+    type Placed = Solid<S>;
+    fn anchor_point(&self) -> Vec3<S> {
+        self.center
+    }
+    fn in_units(&self, from: Vec3<S>, scale: S) -> Solid<S> {
+        let ball = Solid::Ball {
+            center: self.center,
+            ways: axes(self.rotation),
+            half: halves(self.semi_axes),
+        };
+        ball.placed(from, scale)
+    }
+}
+
+impl<S: Scalar<Mask = bool>> Curved for Disc<S> {
+    type Placed = Solid<S>;
+    fn anchor_point(&self) -> Vec3<S> {
+        self.center
+    }
+    fn in_units(&self, from: Vec3<S>, scale: S) -> Solid<S> {
+        let disc = Solid::Disc {
+            center: self.center,
+            ways: across(self.normal),
+            radius: self.radius,
+        };
+        disc.placed(from, scale)
+    }
+}
+
+impl<S: Scalar<Mask = bool>> Curved for Cylinder<S> {
+    type Placed = Solid<S>;
+    fn anchor_point(&self) -> Vec3<S> {
+        self.start
+    }
+    fn in_units(&self, from: Vec3<S>, scale: S) -> Solid<S> {
+        let axis = self.end - self.start;
+        let can = Solid::Cylinder {
+            start: self.start,
+            axis,
+            ways: across(axis),
+            radius: self.radius,
+        };
+        can.placed(from, scale)
+    }
+}
+
+impl<S: Scalar<Mask = bool>> Curved for Cone<S> {
+    type Placed = Solid<S>;
+    fn anchor_point(&self) -> Vec3<S> {
+        self.apex
+    }
+    fn in_units(&self, from: Vec3<S>, scale: S) -> Solid<S> {
+        let axis = self.base - self.apex;
+        let hat = Solid::Cone {
+            apex: self.apex,
+            axis,
+            ways: across(axis),
+            radius: self.radius,
+        };
+        hat.placed(from, scale)
+    }
+}
+
+impl<A: InflatedCore<Scalar: Scalar<Mask = bool>>> Curved for A {
+    type Placed = Solid<A::Scalar>;
+    fn anchor_point(&self) -> Vec3<A::Scalar> {
+        self.core().anchor()
+    }
+    fn in_units(&self, from: Vec3<A::Scalar>, scale: A::Scalar) -> Solid<A::Scalar> {
+        let core = self.core().placed(from, scale);
+        if let Some(shape) = core.as_box() {
+            return Solid::Box {
+                center: shape.center,
+                ways: shape.axes,
+                half: shape.half,
+            };
+        }
+        let corners = core.corners();
+        let given = corners.as_ref();
+        Solid::Simplex {
+            corners: [0, 1, 2, 3].each_as(|k| *given.get(k).unwrap_or(&given[0])),
+            count: given.len(),
+        }
+    }
+    fn rounding(&self) -> Option<A::Scalar> {
+        A::ROUND.then(|| self.radius())
+    }
+}
+
+/// Returns the relation of the points of two shapes that are the nearest, or the farthest; zero for shapes that are not
+/// finite.
+fn found<S, A, B>(a: &A, b: &B, farthest: bool) -> Relation<S>
+where
+    S: Scalar<Mask = bool>,
+    A: Curved<Scalar = S>,
+    B: Curved<Scalar = S>,
+{
+    let from = a.anchor_point().constant();
+    let one = S::one();
+    let reach = a
+        .in_units(from, one)
+        .reach()
+        .most(b.in_units(from, one).reach());
+    let scale = scale_of::<S>(reach);
+    let (of_a, of_b) = (a.in_units(from, scale), b.in_units(from, scale));
+    let found = of_a
+        .plain()
+        .zip(of_b.plain())
+        .and_then(|(plain_a, plain_b)| {
+            let (plain_a, plain_b): (&dyn Supported, &dyn Supported) = (&plain_a, &plain_b);
+            let (found, side) = match farthest {
+                true => (curved_search::search_farthest(plain_a, plain_b)?, -1.0),
+                false => (curved_search::search(plain_a, plain_b)?, 1.0),
+            };
+            let pieces = solid_pair::pieces([plain_a, plain_b], &found, side);
+            Some(replay((of_a, of_b), pieces, &found, side))
+        });
+    let Some(found) = found else {
+        let (zero, none) = (S::zero(), Vec3::zero());
+        return Relation {
+            apart: zero,
+            square: zero,
+            normal: none,
+            on_a: none,
+            on_b: none,
+        };
+    };
+    let back = S::one().over(scale);
+    let apart = found.apart * back;
+    Relation {
+        apart,
+        square: square_of_gap(apart),
+        normal: found.normal,
+        on_a: from + found.on_a * back,
+        on_b: from + found.on_b * back,
+    }
+}
+
+/// Returns the relation of two shapes.
+fn relate<S, A, B>(a: A, b: B) -> Relation<S>
+where
+    S: Scalar<Mask = bool>,
+    A: Curved<Scalar = S>,
+    B: Curved<Scalar = S>,
+{
+    let found = found(&a, &b, false);
+    match (a.rounding(), b.rounding()) {
+        (None, None) => found,
+        (p, q) => {
+            let [p, q] = [p, q].map(|radius| radius.unwrap_or(S::zero()));
+            found.inflated(p, q, found.normal)
+        }
+    }
+}
+
+/// Returns the longest distance of points of two shapes.
+fn farthest<S, A, B>(a: A, b: B) -> S
+where
+    S: Scalar<Mask = bool>,
+    A: Curved<Scalar = S>,
+    B: Curved<Scalar = S>,
+{
+    let longest = found(&a, &b, true).apart;
+    let none = longest.at_most(S::zero());
+    let radii = [a.rounding(), b.rounding()].map(|radius| radius.unwrap_or(S::zero()));
+    let longest = if none { S::zero() } else { longest };
+    (longest + (radii[0] + radii[1])).canonical()
+}
+
+macro_rules! apart {
+    ($([$($generic:tt)*] $A:ty, $B:ty $(where $($bound:tt)*)?;)*) => { $(
+        impl<S: Scalar<Mask = bool>, $($generic)*> Apart<$B> for $A $(where $($bound)*)? {
+            type Scalar = S;
+            #[inline]
+            fn guarded_with(&self, other: &$B) -> Guard<S> {
+                Guard::of(self).and(other)
+            }
+            #[inline]
+            fn relation(self, other: $B) -> Relation<S> {
+                relate(self, other)
+            }
+            #[inline]
+            fn farthest(self, other: $B) -> S {
+                farthest(self, other)
+            }
+        }
+    )* };
+}
+macro_rules! both {
+    ($($A:ident: $($B:ident)*;)*) => { $($(
+        apart! { [] $A<S>, $B<S>; [] $B<S>, $A<S>; }
+    )*)* };
+}
+both! {
+    Ellipsoid: Disc Cylinder Cone;
+    Disc: Cylinder Cone;
+    Cylinder: Cone Segment3 Capsule3 Triangle3 Tetrahedron Aabb3 YawBox3 Obb3 RoundBox3;
+    Cone: Segment3 Capsule3 Triangle3 Tetrahedron Aabb3 YawBox3 Obb3 RoundBox3;
+}
+apart! {
+    [] Ellipsoid<S>, Ellipsoid<S>;
+    [] Disc<S>, Disc<S>;
+    [] Cylinder<S>, Cylinder<S>;
+    [] Cone<S>, Cone<S>;
+    [A: InflatedCore<Scalar = S>] A, Ellipsoid<S>;
+    [A: InflatedCore<Scalar = S>] A, Disc<S>;
+    [B: InflatedCore<Scalar = S>] Ellipsoid<S>, B;
+    [B: InflatedCore<Scalar = S>] Disc<S>, B;
+}
+
+impl<S: Scalar> Bounded for Ellipsoid<S> {
+    #[inline]
+    fn lowest(self, normal: Vec3<S>) -> (S, Vec3<S>) {
+        let (ways, half) = (axes(self.rotation), halves(self.semi_axes));
+        let along = [0, 1, 2].each_as(|k| half[k] * ways[k].dot(normal));
+        let down = Vec3::new(along[0], along[1], along[2]);
+        let unit = direction(down);
+        let way = ways[0] * (half[0] * unit.x)
+            + ways[1] * (half[1] * unit.y)
+            + ways[2] * (half[2] * unit.z);
+        (normal.dot(self.center) - down.length(), self.center - way)
+    }
+}
+
+impl<S: Scalar> Bounded for Disc<S> {
+    #[inline]
+    fn lowest(self, normal: Vec3<S>) -> (S, Vec3<S>) {
+        let (down, way) = super::half_space::lowest_of_circle(self.normal, self.radius, normal);
+        (normal.dot(self.center) - down, self.center - way)
+    }
+}

@@ -1,0 +1,277 @@
+//! The equations of two pieces that touch, and Newton's step for them.
+//!
+//! Unknown are the normal `n` (two coordinates across it) and the places on both pieces. The vector `b − a` between the
+//! points is along `n`, and both pieces are stationary there: `n · ∂a = 0` and `n · ∂b = 0`, with a multiplier where
+//! coordinates have length one. These are the conditions for a stationary value of `n · (b − a)`, the signed distance,
+//! so that an error of a step counts by its square. No equation has a root, and all are regular where a solid is flat
+//! or has no extent, and where the distance is zero.
+use super::piece::{Piece, PieceKind, Place};
+use super::support::shares;
+use crate::{Scalar, Vec3};
+
+/// The most unknowns: two of the normal, four of each place.
+pub const MOST: usize = 10;
+/// A pivot below which an equation depends on others, relative to its largest coefficient.
+const DEPENDENT: f64 = 1e-12;
+
+/// A normal from a to b, and the places of the points that touch along it.
+#[derive(Clone, Copy, Debug)]
+pub struct Touch<S> {
+    /// The normal, of length one.
+    pub normal: Vec3<S>,
+    /// The place on a's piece.
+    pub a: Place<S>,
+    /// The place on b's piece.
+    pub b: Place<S>,
+}
+
+/// Constants by which a piece's equations are multiplied, so that none vanishes with the solid's size.
+#[derive(Clone, Copy, Debug)]
+struct Units {
+    /// Of the equations by coordinates: shares of the largest half extent of an ellipsoid, else ones.
+    shares: [f64; 3],
+    /// Of an ellipsoid one over the largest half extent; 0 if that is zero.
+    over: f64,
+    /// Of the equation by the share of the axis: one over its length.
+    axis: f64,
+}
+
+impl Units {
+    fn of(piece: &Piece<f64>, place: &Place<f64>) -> Self {
+        let length = piece.by_share(place).length();
+        let most = piece.sizes.iter().copied().fold(0.0, f64::max);
+        Units {
+            over: match piece.kind == PieceKind::Ball && most > 0.0 {
+                true => 1.0 / most,
+                false => 0.0,
+            },
+            shares: match piece.kind {
+                PieceKind::Ball => shares(&piece.sizes),
+                _ => [1.0; 3],
+            },
+            axis: if length > 0.0 { 1.0 / length } else { 0.0 },
+        }
+    }
+}
+
+/// Returns two directions of length one across a direction and each other.
+pub fn tangents(normal: Vec3<f64>) -> [Vec3<f64>; 2] {
+    let axis = match normal.x.abs() < 0.6 {
+        true => Vec3::new(1.0, 0.0, 0.0),
+        false => Vec3::new(0.0, 1.0, 0.0),
+    };
+    let first = normal.cross(axis);
+    let first = first * (1.0 / first.length());
+    [first, normal.cross(first)]
+}
+
+/// Returns the vector of constants.
+pub fn lit<S: Scalar>(v: Vec3<f64>) -> Vec3<S> {
+    Vec3::new(S::lit(v.x), S::lit(v.y), S::lit(v.z))
+}
+
+/// The equations about a touch: their derivatives by all unknowns, decomposed. Equations that depend on others are left
+/// out, with as many unknowns, which keep their values.
+pub struct System {
+    matrix: [[f64; MOST]; MOST],
+    /// The number of unknowns.
+    pub count: usize,
+    /// The number of independent equations.
+    pub rank: usize,
+    rows: [usize; MOST],
+    columns: [usize; MOST],
+    tangents: [Vec3<f64>; 2],
+    units: [Units; 2],
+}
+
+impl System {
+    /// Returns the system of two pieces near a touch.
+    pub fn new(pieces: [&Piece<f64>; 2], touch: &Touch<f64>) -> Self {
+        let places = [&touch.a, &touch.b];
+        let gap = touch
+            .normal
+            .dot(pieces[1].at(&touch.b) - pieces[0].at(&touch.a));
+        let mut system = System {
+            matrix: [[0.0; MOST]; MOST],
+            count: 2,
+            rank: 0,
+            rows: std::array::from_fn(|k| k),
+            columns: std::array::from_fn(|k| k),
+            tangents: tangents(touch.normal),
+            units: [0, 1].map(|side: usize| Units::of(pieces[side], places[side])),
+        };
+        system.matrix[0][0] = -gap;
+        system.matrix[1][1] = -gap;
+        system.add(pieces[0], places[0], touch.normal, 0);
+        system.add(pieces[1], places[1], -touch.normal, 1);
+        system.decompose();
+        system
+    }
+    /// Adds the unknowns and equations of a piece with an outer normal.
+    fn add(&mut self, piece: &Piece<f64>, place: &Place<f64>, normal: Vec3<f64>, side: usize) {
+        let (sign, units) = (if side == 0 { -1.0 } else { 1.0 }, self.units[side]);
+        let (kind, at) = (piece.kind, self.count);
+        let ways = kind.ways();
+        let (pull, share) = (at + ways, at + ways + usize::from(kind.is_round()));
+        let m = &mut self.matrix;
+        for j in 0..ways {
+            let step = piece.ways[j] * piece.size(j, place.s);
+            for k in 0..2 {
+                m[k][at + j] = sign * self.tangents[k].dot(step);
+                m[at + j][k] = -sign * self.tangents[k].dot(piece.ways[j]) * units.shares[j];
+            }
+            if kind.is_round() {
+                m[at + j][at + j] = -place.pull;
+                m[at + j][pull] = -place.y[j];
+                m[pull][at + j] = -place.y[j];
+            }
+            if kind.has_axis() {
+                m[share][at + j] = normal.dot(piece.ways[j]) * piece.taper * units.axis;
+            }
+        }
+        if kind.has_axis() {
+            let step = piece.by_share(place);
+            for k in 0..2 {
+                m[k][share] = sign * self.tangents[k].dot(step);
+                m[share][k] = -sign * self.tangents[k].dot(step) * units.axis;
+            }
+        }
+        if kind == PieceKind::Own {
+            let [x, y, z] = piece.ways;
+            for k in 0..2 {
+                for (l, &t) in self.tangents.iter().enumerate() {
+                    m[k][l] -= self.tangents[k].dot(x * t.x + y * t.y + z * t.z);
+                }
+            }
+        }
+        self.count = share + usize::from(kind.has_axis());
+    }
+    /// Decomposes the matrix, the largest pivot first.
+    fn decompose(&mut self) {
+        let (n, m) = (self.count, &mut self.matrix);
+        let mut scales = [0.0; MOST];
+        for (scale, row) in scales.iter_mut().zip(&*m).take(n) {
+            let most = row[..n].iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+            *scale = if most > 0.0 { 1.0 / most } else { 0.0 };
+        }
+        while self.rank < n {
+            let (mut best, mut place) = (0.0, (self.rank, self.rank));
+            for i in self.rank..n {
+                for j in self.rank..n {
+                    let size = m[self.rows[i]][self.columns[j]].abs() * scales[self.rows[i]];
+                    if size > best {
+                        (best, place) = (size, (i, j));
+                    }
+                }
+            }
+            if best <= DEPENDENT {
+                break;
+            }
+            self.rows.swap(self.rank, place.0);
+            self.columns.swap(self.rank, place.1);
+            let (row, column) = (self.rows[self.rank], self.columns[self.rank]);
+            for &other in &self.rows[self.rank + 1..n] {
+                let factor = m[other][column] / m[row][column];
+                for &j in &self.columns[self.rank + 1..n] {
+                    m[other][j] -= factor * m[row][j];
+                }
+                m[other][column] = factor;
+            }
+            self.rank += 1;
+        }
+    }
+    /// Returns by how much a touch misses the equations.
+    pub fn residuals<S: Scalar>(&self, pieces: [&Piece<S>; 2], touch: &Touch<S>) -> [S; MOST] {
+        let mut out = [S::zero(); MOST];
+        let way = pieces[1].at(&touch.b) - pieces[0].at(&touch.a);
+        let gap = touch.normal.dot(way);
+        for k in 0..2 {
+            // The vector across the normal, seen along constant directions.
+            let tangent = lit::<S>(self.tangents[k]);
+            out[k] = tangent.dot(way) - tangent.dot(touch.normal) * gap;
+        }
+        let mut at = 2;
+        let sides = [(&touch.a, touch.normal), (&touch.b, -touch.normal)];
+        for ((piece, (place, normal)), units) in pieces.into_iter().zip(sides).zip(&self.units) {
+            for j in 0..piece.kind.ways() {
+                let along = normal.dot(piece.ways[j]);
+                let along = match units.over > 0.0 {
+                    true => along * piece.sizes[j] * S::lit(units.over),
+                    false => along,
+                };
+                out[at] = match piece.kind.is_round() {
+                    true => along - place.pull * place.y[j],
+                    false => along,
+                };
+                at += 1;
+            }
+            if piece.kind.is_round() {
+                let ways = 0..piece.kind.ways();
+                let rest = ways.fold(S::one(), |rest, j| rest - place.y[j] * place.y[j]);
+                out[at] = rest.halved();
+                at += 1;
+            }
+            if piece.kind.has_axis() {
+                out[at] = normal.dot(piece.by_share(place)) * S::lit(units.axis);
+                at += 1;
+            }
+        }
+        out
+    }
+    /// Returns the changes of the unknowns that make up for residuals.
+    pub fn solve<S: Scalar>(&self, residuals: &[S; MOST]) -> [S; MOST] {
+        let factor = |i: usize, j: usize| S::lit(self.matrix[self.rows[i]][self.columns[j]]);
+        let mut sums = [S::zero(); MOST];
+        for i in 0..self.rank {
+            let all = residuals[self.rows[i]];
+            sums[i] = (0..i).fold(all, |sum, j| sum - sums[j] * factor(i, j));
+        }
+        let mut changes = [S::zero(); MOST];
+        for i in (0..self.rank).rev() {
+            let later = i + 1..self.rank;
+            let sum = later.fold(sums[i], |sum, j| {
+                sum - changes[self.columns[j]] * factor(i, j)
+            });
+            let pivot = self.matrix[self.rows[i]][self.columns[i]];
+            changes[self.columns[i]] = sum * S::lit(1.0 / pivot);
+        }
+        changes
+    }
+    /// Returns a touch less some changes; coordinates of length one keep it.
+    pub fn moved<S: Scalar>(
+        &self,
+        kinds: [PieceKind; 2],
+        touch: &Touch<S>,
+        changes: &[S; MOST],
+    ) -> Touch<S> {
+        let mut next = *touch;
+        for k in 0..2 {
+            next.normal = next.normal - lit::<S>(self.tangents[k]) * changes[k];
+        }
+        next.normal = next.normal.normalize_or_zero();
+        let mut at = 2;
+        for (kind, place) in kinds.into_iter().zip([&mut next.a, &mut next.b]) {
+            let ways = 0..kind.ways();
+            for j in ways.clone() {
+                place.y[j] -= changes[at + j];
+            }
+            at += kind.ways();
+            if kind.is_round() {
+                place.pull -= changes[at];
+                at += 1;
+                let [x, y, z] = place.y;
+                let unit = match kind.ways() {
+                    2 => Vec3::new(x, y, S::zero()),
+                    _ => Vec3::new(x, y, z),
+                };
+                let Vec3 { x, y, z } = unit.normalize_or_zero();
+                place.y = [x, y, z];
+            }
+            if kind.has_axis() {
+                place.s -= changes[at];
+                at += 1;
+            }
+        }
+        next
+    }
+}

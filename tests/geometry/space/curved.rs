@@ -1,0 +1,311 @@
+//! Distances of curved shapes are proved by what they come with: points of both, and a plane between. Nothing here is
+//! the library's but what is tested.
+use super::curved_draw::{Body, FAMILIES, Frame, frames};
+use super::draw::Random;
+use geograd::ad::hessian;
+use geograd::distance3::{
+    Apart, BySupport, SupportFunction, closest_points, distance, penetration, signed_distance,
+    squared_distance,
+};
+use geograd::prelude::*;
+use geograd::{Disc, Ellipsoid, Pack, Shape};
+
+/// The pairs of a curved shape and another one; a macro is called with every pair of types.
+macro_rules! each_pair {
+    ($run:ident) => {
+        $run! {
+            Ellipsoid Ellipsoid, Ellipsoid Cylinder, Ellipsoid Cone, Ellipsoid Disc, Ellipsoid Obb3, Ellipsoid Segment3,
+            Ellipsoid Triangle3, Ellipsoid Tetrahedron, Ellipsoid Vec3, Ellipsoid Capsule3, Cylinder Cylinder,
+            Cylinder Cone, Cylinder Disc, Cylinder Obb3, Cylinder Segment3, Cylinder Triangle3, Cylinder Tetrahedron,
+            Cylinder Capsule3, Cone Cone, Cone Disc, Cone Obb3, Cone Segment3, Cone Triangle3, Cone Tetrahedron,
+            Cone Capsule3, Disc Disc, Disc Obb3, Disc Segment3, Disc Triangle3, Disc Tetrahedron, Disc Vec3,
+            Disc Capsule3
+        }
+    };
+}
+
+/// The gap of the supports along a normal, relative to a point.
+fn gap<A: Body, B: Body>(a: &A, b: &B, normal: Vec3<f64>) -> f64 {
+    normal.dot(b.high(-normal) - a.high(normal))
+}
+
+/// The largest gap along directions near some of the best of many random ones.
+fn best_of_many<A: Body, B: Body>(random: &mut Random, a: &A, b: &B) -> f64 {
+    let direction = |random: &mut Random| {
+        let v = random.vector(1.0);
+        v * (1.0 / v.length().max(1e-3))
+    };
+    let mut all: Vec<_> = (0..120)
+        .map(|_| {
+            let way = direction(random);
+            (gap(a, b, way), way)
+        })
+        .collect();
+    all.sort_by(|p, q| q.0.total_cmp(&p.0));
+    let mut best = f64::NEG_INFINITY;
+    for &(mut value, mut way) in &all[..3] {
+        let mut step = 0.3;
+        while step > 1e-7 {
+            let mut better = false;
+            for _ in 0..5 {
+                let other = way + direction(random) * step;
+                let other = other * (1.0 / other.length());
+                let found = gap(a, b, other);
+                if found > value {
+                    (value, way, better) = (found, other, true);
+                }
+            }
+            if !better {
+                step *= 0.6;
+            }
+        }
+        best = best.max(value);
+    }
+    best
+}
+
+fn prove<A: Body + Apart<B, Scalar = f64>, B: Body + Apart<A, Scalar = f64>>(
+    count: usize,
+    told: &str,
+) {
+    let mut random = Random(0x9e37_79b9_7f4a_7c15);
+    for (family, name) in FAMILIES.iter().enumerate() {
+        for _ in 0..count {
+            let [first, second] = frames(&mut random, family);
+            let (a, b) = (A::drawn(first), B::drawn(second));
+            let told = || format!("{told}, {name}: {a:?} {b:?}");
+            let between = (a.middle() - b.middle()).length();
+            let size = a.size().max(b.size()).max(between);
+            let bound = 1e-11 * size + 1e-15 * first.at.length();
+            let apart = signed_distance(a, b);
+            assert!(apart.is_finite(), "{}", told());
+            let points = closest_points(a, b);
+            let out = penetration(a, b);
+            let way = out.direction;
+            assert!((way.length() - 1.0).abs() < 1e-12, "{way:?} {}", told());
+            assert!(
+                a.outside(points.on_a) <= bound,
+                "{} {}",
+                a.outside(points.on_a),
+                told()
+            );
+            assert!(
+                b.outside(points.on_b) <= bound,
+                "{} {}",
+                b.outside(points.on_b),
+                told()
+            );
+            let error = ((points.on_b - points.on_a) - way * apart).length();
+            assert!(error <= bound, "points {error:e} of {size} {}", told());
+            let least = gap(&a, &b, way);
+            assert!(
+                (least - apart).abs() <= bound,
+                "plane {least} {apart} {}",
+                told()
+            );
+            assert_eq!(out.depth, (-apart).max(0.0), "{}", told());
+            assert_eq!(distance(a, b), apart.max(0.0), "{}", told());
+            assert!(
+                (squared_distance(a, b) - apart.max(0.0).powi(2)).abs() <= bound * size,
+                "{}",
+                told()
+            );
+            let flipped = signed_distance(b, a);
+            assert!(
+                (flipped - apart).abs() <= bound,
+                "{flipped} {apart} {}",
+                told()
+            );
+            if apart < 0.0 {
+                let best = best_of_many(&mut random, &a, &b);
+                assert!(best <= apart + bound, "deep {best} {apart} {}", told());
+            }
+        }
+    }
+}
+
+macro_rules! prove_all {
+    ($($A:ident $B:ident),*) => { $( prove::<$A<f64>, $B<f64>>(12, stringify!($A $B)); )* };
+}
+
+#[test]
+fn points_and_planes_prove_distances_of_curved_shapes() {
+    each_pair!(prove_all);
+}
+
+/// Shapes that touch: moved along their normal until their gap is given.
+fn prove_touching<A, B>(told: &str)
+where
+    A: Body + Apart<B, Scalar = f64>,
+    B: Body + Apart<A, Scalar = f64>,
+{
+    let mut random = Random(0x7f4a_7c15_9e37_79b9);
+    for family in [0, 1, 2, 3, 7] {
+        for gap in [0.0, 1e-9, -1e-9, 1e-13] {
+            let [first, second] = frames(&mut random, family);
+            let a = A::drawn(first);
+            let before = B::drawn(second);
+            let (apart, way) = (signed_distance(a, before), penetration(a, before).direction);
+            let at = second.at + way * (gap - apart);
+            let b = B::drawn(Frame { at, ..second });
+            let found = signed_distance(a, b);
+            assert!(
+                (found - gap).abs() < 1e-13 * (1.0 + at.length()) + 2e-12,
+                "{told} {gap} {found} {a:?} {b:?}"
+            );
+        }
+    }
+}
+
+macro_rules! touch_all {
+    ($($A:ident $B:ident),*) => { $( prove_touching::<$A<f64>, $B<f64>>(stringify!($A $B)); )* };
+}
+
+#[test]
+fn shapes_that_touch_are_no_farther_apart_than_given() {
+    each_pair!(touch_all);
+}
+
+/// Numbers of 32 bits, against those of 64.
+macro_rules! narrow_all {
+    ($($A:ident $B:ident),*) => { $(
+        let mut random = Random(0x1234_5678_9abc_def1);
+        for family in 0..FAMILIES.len() {
+            for _ in 0..6 {
+                let [first, second] = frames(&mut random, family);
+                let (a, b) = ($A::drawn(first), $B::drawn(second));
+                let (narrow_a, narrow_b): ($A<f32>, $B<f32>) = (a.cast(), b.cast());
+                let (a, b): ($A<f64>, $B<f64>) = (narrow_a.cast(), narrow_b.cast());
+                let size = a.size().max(b.size()).max((a.middle() - b.middle()).length());
+                let bound = 1e-5 * size + 2e-7 * first.at.length();
+                let (narrow, wide) = (signed_distance(narrow_a, narrow_b), signed_distance(a, b));
+                let error = (f64::from(narrow) - wide).abs();
+                assert!(error <= bound, "{} {narrow} {wide} {a:?} {b:?}", stringify!($A $B));
+                let points = closest_points(narrow_a, narrow_b);
+                let wide_points: [Vec3<f64>; 2] = [points.on_a.cast(), points.on_b.cast()];
+                assert!(a.outside(wide_points[0]) <= bound && b.outside(wide_points[1]) <= bound, "{a:?} {b:?}");
+            }
+        }
+    )* };
+}
+
+#[test]
+fn narrow_numbers_have_the_digits_of_their_format() {
+    each_pair!(narrow_all);
+}
+
+/// An ellipsoid that only has a support.
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+struct Own<S> {
+    center: Vec3<S>,
+    size: Vec3<S>,
+}
+
+impl<S: Scalar> SupportFunction for Own<S> {
+    fn support(&self, way: Vec3<S>) -> Vec3<S> {
+        let size = self.size;
+        let seen = Vec3::new(way.x * size.x, way.y * size.y, way.z * size.z).normalize_or_zero();
+        self.center + Vec3::new(seen.x * size.x, seen.y * size.y, seen.z * size.z)
+    }
+}
+
+#[test]
+fn a_shape_by_its_support_has_the_distances_of_the_same_ellipsoid() {
+    let mut random = Random(0x1357_9bdf_0246_8ace);
+    for family in [0, 1] {
+        for _ in 0..12 {
+            let [first, second] = frames(&mut random, family);
+            let own = Own {
+                center: first.at,
+                size: Vec3::new(first.lengths[0], first.lengths[1], first.lengths[2]),
+            };
+            let told = Ellipsoid::new(own.center, own.size, Rotation3::identity());
+            let can = Cylinder::drawn(second);
+            let (a, by, twice) = hessian(
+                |(own, can): (Own<_>, Cylinder<_>)| signed_distance(BySupport(own), can),
+                (own, can),
+            );
+            let known = |(egg, can): (Ellipsoid<_>, Cylinder<_>)| signed_distance(egg, can);
+            let (b, other, again) = hessian(known, (told, can));
+            assert!((a - b).abs() < 1e-11, "{a} {b} {own:?} {can:?}");
+            let close = |p: Vec3<f64>, q: Vec3<f64>, bound: f64| (p - q).length() < bound;
+            let same = close(by.0.center, other.0.center, 1e-6)
+                && close(by.0.size, other.0.semi_axes, 1e-6);
+            assert!(
+                same && close(by.1.start, other.1.start, 1e-6),
+                "{by:?} {other:?}"
+            );
+            let (p, q) = (twice.0.center.x.1.start, again.0.center.x.1.start);
+            assert!(
+                close(p, q, 1e-4 * (1.0 + q.length())),
+                "{p:?} {q:?} {own:?} {can:?}"
+            );
+            let box_of = Obb3::drawn(second);
+            let (p, q) = (
+                signed_distance(box_of, BySupport(own)),
+                signed_distance(box_of, told),
+            );
+            assert!((p - q).abs() < 1e-11, "{p} {q}");
+        }
+    }
+}
+
+#[test]
+fn balls_of_both_kinds_are_equally_far() {
+    let mut random = Random(0x2468_ace0_1357_9bdf);
+    for family in 0..FAMILIES.len() {
+        for _ in 0..20 {
+            let [first, second] = frames(&mut random, family);
+            let ball = Sphere::new(first.at, first.lengths[0]);
+            let other = Sphere::new(second.at, second.lengths[0]);
+            let known = ball.signed_distance(other);
+            let found = signed_distance(Ellipsoid::from(ball), Ellipsoid::from(other));
+            let size = 1.0 + (first.at - second.at).length();
+            assert!(
+                (known - found).abs() < 1e-13 * size,
+                "{known} {found} {ball:?} {other:?}"
+            );
+            let can = Cylinder::drawn(second);
+            let (known, found) = (
+                ball.signed_distance(can),
+                signed_distance(Ellipsoid::from(ball), can),
+            );
+            assert!(
+                (known - found).abs() < 1e-12 * size,
+                "{known} {found} {ball:?} {can:?}"
+            );
+            let (known, found) = (
+                ball.signed_distance(can),
+                signed_distance(can, Capsule3::new(ball.center, ball.center, ball.radius)),
+            );
+            assert!(
+                (known - found).abs() < 1e-12 * size,
+                "{known} {found} {ball:?} {can:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn half_spaces_touch_ellipsoids_and_discs_at_their_supports() {
+    let mut random = Random(0x0bad_cafe_1234_5679);
+    for family in 0..FAMILIES.len() {
+        for _ in 0..20 {
+            let [first, second] = frames(&mut random, family);
+            let normal = random.vector(1.0);
+            let floor = Plane3::through(second.at, normal);
+            let unit = normal * (1.0 / normal.length());
+            let (egg, coin) = (Ellipsoid::drawn(first), Disc::drawn(first));
+            let bound = 1e-13 * (1.0 + first.at.length() + second.at.length());
+            let low = |point: Vec3<f64>| unit.dot(point - second.at);
+            assert!(
+                (floor.signed_distance(egg) - low(egg.high(-unit))).abs() < bound,
+                "{egg:?}"
+            );
+            assert!(
+                (floor.signed_distance(coin) - low(coin.high(-unit))).abs() < bound,
+                "{coin:?}"
+            );
+        }
+    }
+}
