@@ -53,7 +53,8 @@ impl<S: Scalar<Mask = bool>> Contacts3<S> {
 /// most `within`. Two boxes that lie on each other have four points or more, a capsule along a face two, a ball one. The
 /// least gap is the signed distance. Shapes that are farther apart have no points.
 ///
-/// Faces of segments and capsules are their axes, those of points and balls their centres, each inflated by the radius.
+/// Faces of segments and capsules are their axes, those of points and balls their centres, each moved by the radius along
+/// the direction: points of a face that is tilted by φ lie up to r(1 − cos φ) inside.
 /// Cylinders and cones have one point, the nearest one.
 ///
 /// Derivatives are those of points that are fixed on their features: corners, and crossings of edges seen along the

@@ -6,7 +6,8 @@ use crate::distance3::half_space::Bounded;
 use crate::distance3::relation::Relation;
 use crate::scalar::most_of;
 use crate::shape::{
-    Capsule3, Cone, Cylinder, Obb3, Pose3, RoundBox3, Segment3, Sphere, Tetrahedron, Triangle3,
+    Capsule3, Cone, Cylinder, Disc, Ellipsoid, Hull3, Obb3, Pose3, RoundBox3, Segment3, Sphere,
+    Tetrahedron, Triangle3,
 };
 use crate::{Pack, Scalar, Vec3};
 
@@ -19,8 +20,8 @@ pub(crate) trait Body3: Bounded {
 }
 
 macro_rules! bodies {
-    ($($Shape:ident)*) => { $(
-        impl<S: Scalar> Body3 for $Shape<S> {
+    ($($Shape:ident $(<$N:ident>)?)*) => { $(
+        impl<S: Scalar<Mask = bool> $(, const $N: usize)?> Body3 for $Shape<S $(, $N)?> {
             #[inline]
             fn moved(self, pose: Pose3<S>) -> Self {
                 pose * self
@@ -32,7 +33,9 @@ macro_rules! bodies {
         }
     )* };
 }
-bodies! { Vec3 Segment3 Triangle3 Tetrahedron Obb3 RoundBox3 Sphere Capsule3 Cylinder Cone }
+bodies! {
+    Vec3 Segment3 Triangle3 Tetrahedron Obb3 RoundBox3 Sphere Capsule3 Hull3<N> Cylinder Cone Ellipsoid Disc
+}
 
 /// Two bodies, each relative to the centre of its turn, and their motions.
 #[derive(Clone, Copy)]

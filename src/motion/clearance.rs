@@ -1,6 +1,5 @@
 //! The least distance of two moving bodies.
-use super::body::{Body3, Bounds, Moves, MovingPair};
-use super::motion3::Motion3;
+use super::body::{Body3, Bounds, MovingPair};
 use crate::distance3::Apart;
 use crate::{Scalar, Vec3};
 use std::cmp::Ordering;

@@ -19,7 +19,7 @@ use crate::{Pack, Scalar};
 /// ```
 #[diagnostic::on_unimplemented(
     message = "no time of impact of `{Self}` and `{B}`",
-    note = "points, segments, triangles, tetrahedra, rotated boxes, round boxes, balls and capsules have one"
+    note = "solids with a pose have one wherever they have distances, but upright boxes"
 )]
 pub trait Moves<B>: Copy {
     /// Their numbers.

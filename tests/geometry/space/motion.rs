@@ -56,6 +56,15 @@ fn tip(random: &mut Random, at: Vec3<f64>) -> Cone<f64> {
     Cone::new(at, at + random.vector(1.0), random.within(0.1, 0.5))
 }
 
+fn egg(random: &mut Random, at: Vec3<f64>) -> Ellipsoid<f64> {
+    let [x, y, z] = [0; 3].map(|_| random.within(0.2, 1.0));
+    Ellipsoid::new(at, Vec3::new(x, y, z), rotation(random))
+}
+fn stone(random: &mut Random, at: Vec3<f64>) -> Hull3<f64, 8> {
+    let corners: Vec<Vec3<f64>> = (0..6).map(|_| at + random.vector(1.0)).collect();
+    Hull3::from_vertices(&corners)
+}
+
 /// Judges the impact and the clearance of one pair by its distances at many times.
 fn judge(impact: Impact3<f64>, least: Clearance3<f64>, apart: impl Fn(f64) -> f64) {
     const TIMES: usize = 500;
@@ -124,6 +133,9 @@ pairs! {
     faces: face face;
     cans_and_balls: can ball;
     balls_and_tips: ball tip;
+    cans_and_boxes: can solid;
+    eggs: egg egg;
+    stones: stone stone;
 }
 
 /// Derivatives against differences, and symmetric Hessians against differences of gradients.
