@@ -353,7 +353,8 @@ impl Search {
         for (((least, before), prices), costs) in
             least.iter_mut().zip(before).zip(prices).zip(costs)
         {
-            for k in 0..LANES {
+            let mut k = 0;
+            while k < LANES {
                 let (slack, kept) = (costs[k] - price - prices[k], least[k] - step);
                 let is_less = slack < kept;
                 least[k] = if is_less { slack } else { kept };
@@ -363,6 +364,7 @@ impl Search {
                 } else {
                     nearest[k]
                 };
+                k += 1;
             }
         }
         nearest.into_iter().fold(f64::INFINITY, f64::min)

@@ -55,8 +55,10 @@ impl HeightSlabs {
                 *count += 1;
             }
         }
-        for slab in 0..slabs {
-            own.starts[slab + 1] += own.starts[slab];
+        let mut sum = 0;
+        for start in &mut own.starts {
+            sum += *start;
+            *start = sum;
         }
         let mut next = own.starts.clone();
         own.edges = vec![0; own.starts[slabs]];
