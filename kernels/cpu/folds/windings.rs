@@ -37,14 +37,14 @@ pub fn wound<T: Real>(
     let work = cut_at.windows(2).zip(&mut pieces).collect();
     let (limits, slabs) = (ReliableLimits::new(), &slabs);
     in_parallel(work, |(cut, piece): (&[usize], &mut NearEdges<T>)| {
-        for path in cut[0]..cut[1] {
+        for (path, &point) in points.iter().enumerate().take(cut[1]).skip(cut[0]) {
             let own = spans.of(path);
             let found = match slabs {
-                Some(slabs) => (kernels_in::<T>().winding_of_slabs)(points[path], slabs, limits),
+                Some(slabs) => (kernels_in::<T>().winding_of_slabs)(point, slabs, limits),
                 None => {
                     let ring = numbers(&vertices[own.clone()]);
                     piece.unsound |= !(kernels_in::<T>().all_finite)(&ring);
-                    (kernels_in::<T>().winding_of_ring)(points[path], &ring, limits)
+                    (kernels_in::<T>().winding_of_ring)(point, &ring, limits)
                 }
             };
             let count = if found.is_some() { 0 } else { own.len() };
