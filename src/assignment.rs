@@ -88,20 +88,24 @@ pub fn optimal(gains: &[f64], rows: usize, columns: usize) -> Result<Vec<(usize,
     // Sums of gains of any size stay finite when they are scaled.
     let largest = gains.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     let scale = if largest > 1e290 { 1e-20 } else { 1.0 };
-    let mut pairs = match rows <= columns {
-        true => assigned(rows, columns, |row, column| {
-            -gains[row * columns + column] * scale
+    let is_wide = rows <= columns;
+    let mut pairs = match is_wide {
+        true => assigned(rows, columns, |row, costs| {
+            for (cost, gain) in costs.iter_mut().zip(&gains[row * columns..][..columns]) {
+                *cost = -gain * scale;
+            }
         }),
-        false => {
-            let turned = assigned(columns, rows, |column, row| {
-                -gains[row * columns + column] * scale
-            });
-            turned
-                .into_iter()
-                .map(|(column, row)| (row, column))
-                .collect()
-        }
+        false => assigned(columns, rows, |column, costs| {
+            for (cost, row) in costs.iter_mut().zip(gains.chunks_exact(columns)) {
+                *cost = -row[column] * scale;
+            }
+        }),
     };
+    if !is_wide {
+        for pair in &mut pairs {
+            *pair = (pair.1, pair.0);
+        }
+    }
     pairs.sort_unstable();
     Ok(pairs)
 }
@@ -133,29 +137,25 @@ pub fn largest(pairs: &[Pair<f64>]) -> Result<Vec<Pair<f64>>, Error> {
             flaw: Flaw::NotFinite(Field::new("overlap")),
         });
     }
+    let (firsts, seconds) = (
+        Places::of(pairs, |pair| pair.first),
+        Places::of(pairs, |pair| pair.second),
+    );
     let mut chosen = Vec::new();
-    for part in parts(pairs) {
-        let places = |of: fn(&Pair<f64>) -> usize| {
-            let mut all: Vec<usize> = part.iter().map(of).collect();
-            all.sort_unstable();
-            all.dedup();
-            all
-        };
-        let (rows, columns) = (places(|p| p.first), places(|p| p.second));
-        let entries = rows.len().checked_mul(columns.len());
-        let mut gains = vec![0.0_f64; entries.ok_or(Error::TooLarge)?];
-        let at = |pair: &Pair<f64>| {
-            let row = rows.partition_point(|&place| place < pair.first);
-            row * columns.len() + columns.partition_point(|&place| place < pair.second)
-        };
-        for pair in &part {
-            let gain = &mut gains[at(pair)];
-            *gain = gain.max(pair.overlap);
+    for part in parts(&firsts, &seconds) {
+        let (rows, columns) = (part.rows.len(), part.columns.len());
+        let mut gains = vec![0.0_f64; rows.checked_mul(columns).ok_or(Error::TooLarge)?];
+        for (pair, row, column) in part.pairs {
+            let gain = &mut gains[row * columns + column];
+            *gain = gain.max(pairs[pair].overlap);
         }
-        for (row, column) in optimal(&gains, rows.len(), columns.len())? {
-            let overlap = gains[row * columns.len() + column];
+        for (row, column) in optimal(&gains, rows, columns)? {
+            let overlap = gains[row * columns + column];
             if overlap > 0.0 {
-                let (first, second) = (rows[row], columns[column]);
+                let (first, second) = (
+                    firsts.all[part.rows[row]],
+                    seconds.all[part.columns[column]],
+                );
                 chosen.push(Pair {
                     first,
                     second,
@@ -168,11 +168,57 @@ pub fn largest(pairs: &[Pair<f64>]) -> Result<Vec<Pair<f64>>, Error> {
     Ok(chosen)
 }
 
-/// Splits pairs into groups that share no index.
-fn parts(pairs: &[Pair<f64>]) -> Vec<Vec<Pair<f64>>> {
-    let mut ends: Vec<(usize, usize)> = Vec::with_capacity(2 * pairs.len());
-    // Links from pair to pair, each to an earlier one of its part.
-    let mut link: Vec<usize> = (0..pairs.len()).collect();
+/// The different indices at one end of some pairs.
+struct Places {
+    /// All of them, ascending.
+    all: Vec<usize>,
+    /// For every pair, which of them is its own.
+    of_pairs: Vec<usize>,
+}
+
+impl Places {
+    fn of(pairs: &[Pair<f64>], end: fn(&Pair<f64>) -> usize) -> Self {
+        let most = pairs.iter().map(end).max().unwrap_or(0);
+        // A table is faster than a sort unless most of it is empty.
+        if most > 8 * pairs.len() + 1024 {
+            let mut all: Vec<usize> = pairs.iter().map(end).collect();
+            all.sort_unstable();
+            all.dedup();
+            let place = |pair: &Pair<f64>| all.partition_point(|&other| other < end(pair));
+            let of_pairs = pairs.iter().map(place).collect();
+            return Places { all, of_pairs };
+        }
+        let mut table = vec![usize::MAX; most + 1];
+        for pair in pairs {
+            table[end(pair)] = 0;
+        }
+        let mut all = Vec::new();
+        for (index, place) in table.iter_mut().enumerate() {
+            if *place == 0 {
+                *place = all.len();
+                all.push(index);
+            }
+        }
+        let of_pairs = pairs.iter().map(|pair| table[end(pair)]).collect();
+        Places { all, of_pairs }
+    }
+}
+
+/// Pairs that share no index with other pairs.
+#[derive(Default)]
+struct Part {
+    /// The places of its first and of its second indices, ascending.
+    rows: Vec<usize>,
+    columns: Vec<usize>,
+    /// Its pairs, each by its index, its row and its column.
+    pairs: Vec<(usize, usize, usize)>,
+}
+
+/// Splits pairs into parts that share no index.
+fn parts(firsts: &Places, seconds: &Places) -> Vec<Part> {
+    // Links from place to place, each to an earlier one of its part; second indices follow first ones.
+    let rows = firsts.all.len();
+    let mut link: Vec<usize> = (0..rows + seconds.all.len()).collect();
     fn root(link: &mut [usize], mut of: usize) -> usize {
         while link[of] != of {
             link[of] = link[link[of]];
@@ -180,81 +226,186 @@ fn parts(pairs: &[Pair<f64>]) -> Vec<Vec<Pair<f64>>> {
         }
         of
     }
-    for of in [
-        |pair: &Pair<f64>| pair.first,
-        |pair: &Pair<f64>| pair.second,
-    ] {
-        ends.clear();
-        ends.extend(pairs.iter().enumerate().map(|(i, pair)| (of(pair), i)));
-        ends.sort_unstable();
-        for two in ends.windows(2) {
-            if two[0].0 == two[1].0 {
-                let (a, b) = (root(&mut link, two[0].1), root(&mut link, two[1].1));
-                link[a.max(b)] = a.min(b);
-            }
-        }
+    for (&first, &second) in firsts.of_pairs.iter().zip(&seconds.of_pairs) {
+        let (a, b) = (root(&mut link, first), root(&mut link, rows + second));
+        link[a.max(b)] = a.min(b);
     }
-    let mut parts: Vec<Vec<Pair<f64>>> = Vec::new();
-    let mut place = vec![usize::MAX; pairs.len()];
-    for (i, &pair) in pairs.iter().enumerate() {
-        let own = root(&mut link, i);
-        if place[own] == usize::MAX {
-            place[own] = parts.len();
-            parts.push(Vec::new());
+    let mut parts: Vec<Part> = Vec::new();
+    // The part of every place, and its row or column there.
+    let mut own: Vec<(usize, usize)> = Vec::with_capacity(link.len());
+    for place in 0..link.len() {
+        let root = root(&mut link, place);
+        let part = if root == place {
+            parts.len()
+        } else {
+            own[root].0
+        };
+        if root == place {
+            parts.push(Part::default());
         }
-        parts[place[own]].push(pair);
+        let list = match place < rows {
+            true => &mut parts[part].rows,
+            false => &mut parts[part].columns,
+        };
+        own.push((part, list.len()));
+        list.push(if place < rows { place } else { place - rows });
+    }
+    let ends = firsts.of_pairs.iter().zip(&seconds.of_pairs);
+    for (pair, (&first, &second)) in ends.enumerate() {
+        let (part, row) = own[first];
+        parts[part].pairs.push((pair, row, own[rows + second].1));
     }
     parts
 }
 
-/// Returns the pairs of least total cost, for no more rows than columns.
+/// The number of columns that are searched together, one in each lane of a vector.
+const LANES: usize = 8;
+
+/// Returns the pairs of least total cost, for no more rows than columns. `cost` writes the costs of a row.
 fn assigned(
     rows: usize,
     columns: usize,
-    cost: impl Fn(usize, usize) -> f64,
+    mut cost: impl FnMut(usize, &mut [f64]),
 ) -> Vec<(usize, usize)> {
-    // Column `columns` stands for "none yet": a new row starts from there.
-    let (mut row_price, mut column_price) = (vec![0.0; rows], vec![0.0; columns + 1]);
-    let mut row_of = vec![None; columns + 1];
+    // Columns up to a whole number of lanes are infinitely far.
+    let wide = columns.next_multiple_of(LANES);
+    let mut costs = vec![f64::INFINITY; rows * wide];
+    for (row, costs) in costs.chunks_exact_mut(wide.max(1)).enumerate() {
+        cost(row, &mut costs[..columns]);
+    }
+    let (mut row_prices, mut column_prices) = (vec![0.0; rows], vec![0.0; wide]);
+    let mut row_of = vec![None; columns];
+    let (mut search, mut path) = (Search::new(wide), Path::default());
     for new in 0..rows {
-        row_of[columns] = Some(new);
-        let mut least = vec![(f64::INFINITY, columns); columns];
-        // Columns whose row is on a path, in the order in which they were reached.
-        let mut path: Vec<(usize, usize)> = Vec::new();
-        let mut done = vec![false; columns];
-        let mut column = columns;
-        while let Some(row) = row_of[column] {
-            path.push((column, row));
-            if column < columns {
-                done[column] = true;
+        search.begin(&column_prices);
+        path.clear();
+        // A new row starts from no column.
+        let (mut row, mut column, mut step) = (new, columns, 0.0);
+        loop {
+            path.push(row, row_prices[row], column, search.prices.get(column));
+            search.close(column);
+            step = search.nearest(&costs[row * wide..][..wide], row_prices[row], column, step);
+            path.pay(step);
+            let found = search.least.iter().position(|&least| least == step);
+            let Some(next) = found.filter(|&next| next < columns) else {
+                // No column is left, which fewer rows than columns exclude.
+                return Vec::new();
+            };
+            column = next;
+            match row_of[column] {
+                Some(of) => row = of,
+                None => break,
             }
-            let mut next = (f64::INFINITY, columns);
-            for other in (0..columns).filter(|&other| !done[other]) {
-                let slack = cost(row, other) - row_price[row] - column_price[other];
-                if slack < least[other].0 {
-                    least[other] = (slack, column);
-                }
-                if least[other].0 < next.0 {
-                    next = (least[other].0, other);
-                }
-            }
-            for &(seen, row) in &path {
-                column_price[seen] -= next.0;
-                row_price[row] += next.0;
-            }
-            for other in (0..columns).filter(|&other| !done[other]) {
-                least[other].0 -= next.0;
-            }
-            column = next.1;
         }
+        path.put(&mut row_prices, &mut column_prices);
         // Back along the path, every row moves to the column after its own.
         while column != columns {
-            let before = least[column].1;
-            row_of[column] = row_of[before];
+            let before = search.before[column];
+            row_of[column] = match before == columns {
+                true => Some(new),
+                false => row_of[before],
+            };
             column = before;
         }
     }
-    let own = row_of.into_iter().take(columns).enumerate();
+    let own = row_of.into_iter().enumerate();
     own.filter_map(|(column, row)| row.map(|row| (row, column)))
         .collect()
+}
+
+/// The columns that the search for a path has not reached.
+struct Search {
+    /// The least slack of every column, infinite for those that were reached.
+    least: Vec<f64>,
+    /// The column before it on the shortest path.
+    before: Vec<usize>,
+    /// Their prices; minus infinity for those that were reached.
+    prices: Vec<f64>,
+}
+
+impl Search {
+    fn new(wide: usize) -> Self {
+        Search {
+            least: vec![0.0; wide],
+            before: vec![0; wide],
+            prices: vec![0.0; wide],
+        }
+    }
+    fn begin(&mut self, prices: &[f64]) {
+        self.least.fill(f64::INFINITY);
+        self.prices.copy_from_slice(prices);
+    }
+    /// Leaves out a column; nothing for that of a new row.
+    fn close(&mut self, column: usize) {
+        if let (Some(least), Some(price)) =
+            (self.least.get_mut(column), self.prices.get_mut(column))
+        {
+            (*least, *price) = (f64::INFINITY, f64::NEG_INFINITY);
+        }
+    }
+    /// Lowers all slacks by the last step and to those of a row. Returns the least.
+    fn nearest(&mut self, costs: &[f64], price: f64, column: usize, step: f64) -> f64 {
+        let mut nearest = [f64::INFINITY; LANES];
+        let (least, _) = self.least.as_chunks_mut::<LANES>();
+        let (before, _) = self.before.as_chunks_mut::<LANES>();
+        let (prices, _) = self.prices.as_chunks::<LANES>();
+        let (costs, _) = costs.as_chunks::<LANES>();
+        for (((least, before), prices), costs) in
+            least.iter_mut().zip(before).zip(prices).zip(costs)
+        {
+            let mut k = 0;
+            while k < LANES {
+                let (slack, kept) = (costs[k] - price - prices[k], least[k] - step);
+                let is_less = slack < kept;
+                least[k] = if is_less { slack } else { kept };
+                before[k] = if is_less { column } else { before[k] };
+                nearest[k] = if least[k] < nearest[k] {
+                    least[k]
+                } else {
+                    nearest[k]
+                };
+                k += 1;
+            }
+        }
+        nearest.into_iter().fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// The rows and columns that a search has reached, and their prices.
+#[derive(Default)]
+struct Path {
+    rows: Vec<(usize, usize)>,
+    row_prices: Vec<f64>,
+    column_prices: Vec<f64>,
+}
+
+impl Path {
+    fn clear(&mut self) {
+        self.rows.clear();
+        self.row_prices.clear();
+        self.column_prices.clear();
+    }
+    fn push(&mut self, row: usize, price: f64, column: usize, column_price: Option<&f64>) {
+        self.rows.push((row, column));
+        self.row_prices.push(price);
+        self.column_prices
+            .push(column_price.copied().unwrap_or(0.0));
+    }
+    /// Raises the prices of rows and lowers those of columns.
+    fn pay(&mut self, step: f64) {
+        for (row, column) in self.row_prices.iter_mut().zip(&mut self.column_prices) {
+            *row += step;
+            *column -= step;
+        }
+    }
+    /// Writes the prices to those of all rows and columns.
+    fn put(&self, row_prices: &mut [f64], column_prices: &mut [f64]) {
+        let prices = self.row_prices.iter().zip(&self.column_prices);
+        for (&(row, column), (&own, &other)) in self.rows.iter().zip(prices) {
+            row_prices[row] = own;
+            if let Some(price) = column_prices.get_mut(column) {
+                *price = other;
+            }
+        }
+    }
 }

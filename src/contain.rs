@@ -47,8 +47,18 @@ pub fn crossing<S: Scalar>(start: Vec2<S>, end: Vec2<S>, point: Vec2<S>) -> S {
 /// ```
 #[must_use]
 pub fn locate<S: Scalar<Mask = bool>>(rings: &[&[Vec2<S>]], point: Vec2<S>) -> Location {
+    locate_by(rings.iter().flat_map(|ring| edges(ring)), point)
+}
+
+/// Returns the location of a point with respect to edges of closed rings. Edges above or below the point may be left
+/// out.
+#[inline]
+pub(crate) fn locate_by<S: Scalar<Mask = bool>>(
+    edges: impl Iterator<Item = [Vec2<S>; 2]>,
+    point: Vec2<S>,
+) -> Location {
     let mut winding = 0;
-    for [start, end] in rings.iter().flat_map(|ring| edges(ring)) {
+    for [start, end] in edges {
         let (low, high) = match start.y.at_most(end.y) {
             true => (start, end),
             false => (end, start),

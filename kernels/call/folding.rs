@@ -25,6 +25,10 @@ pub struct Sizes {
     pub(crate) closed: bool,
     /// The index in the state of the winding number.
     pub(crate) winding: Option<usize>,
+    /// `true` if nothing but the winding number is needed.
+    pub(crate) is_winding: bool,
+    /// `true` for the length of a polyline.
+    pub(crate) is_length: bool,
 }
 
 impl Sizes {
@@ -37,6 +41,8 @@ impl Sizes {
             out: F::Out::<f64>::LEN,
             closed: F::CLOSED,
             winding: F::WINDING,
+            is_winding: F::IS_WINDING,
+            is_length: F::IS_LENGTH,
         }
     }
     /// Splits a list of numbers into states; an empty list if states have no numbers.

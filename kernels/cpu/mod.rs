@@ -62,6 +62,7 @@ pub(crate) mod pairs;
 pub(crate) mod plan;
 pub mod points;
 pub mod polygons;
+pub(crate) mod polylines;
 mod processor;
 #[doc(hidden)]
 pub mod program;
@@ -75,6 +76,7 @@ mod stretches;
 pub(crate) mod sweep;
 mod tree;
 pub(crate) mod upright_boxes;
+pub(crate) mod winding;
 pub(crate) mod work;
 
 use crate::kernels::machine::Machine;

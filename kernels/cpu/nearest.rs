@@ -45,10 +45,74 @@ struct NearestState<S> {
     least: S,
     /// The farthest coordinate of a vertex.
     extent: S,
-    /// The winding number.
+    /// What decides the winding number.
+    passes: Passes<S>,
+}
+
+/// The edges that pass a point on its right.
+pub(crate) struct Passes<S> {
+    /// How many more of them go up than down.
     winding: S,
     /// The least magnitude of the products whose signs decided it.
     doubt: S,
+}
+
+impl<S: Scalar> Passes<S> {
+    #[inline(always)]
+    pub(crate) fn none() -> Self {
+        Passes {
+            winding: S::zero(),
+            doubt: S::lit(S::LARGEST),
+        }
+    }
+    /// Counts the edge from a to b, seen from the point.
+    #[inline(always)]
+    pub(crate) fn see(&mut self, a: Vec2<S>, b: Vec2<S>) {
+        let (zero, one) = (S::zero(), S::one());
+        // Up to a power of two this is the number whose sign the fold uses.
+        let side = a.perp_dot(b);
+        let up = a.y.at_most(zero) & zero.below(b.y);
+        let down = b.y.at_most(zero) & zero.below(a.y);
+        let turns = S::select(
+            up & side.above(zero),
+            one,
+            S::select(down & side.below(zero), -one, zero),
+        );
+        self.winding += turns;
+        self.doubt = self
+            .doubt
+            .least(S::select(up | down, side.unsigned(), S::lit(S::LARGEST)));
+    }
+    /// Joins what the lanes of a vector have seen.
+    #[inline(always)]
+    pub(crate) fn folded<T: Real>(self) -> Passes<T>
+    where
+        S: Vector<T>,
+    {
+        let mut lanes = [Lane::default(); 2];
+        self.winding.write(&mut lanes[0], 0);
+        self.doubt.write(&mut lanes[1], 0);
+        let mut all = Passes::<T>::none();
+        let mut k = 0;
+        while k < S::WIDTH {
+            all.winding += lanes[0].0[k];
+            all.doubt = all.doubt.least(lanes[1].0[k]);
+            k += 1;
+        }
+        all
+    }
+}
+
+impl<T: Real> Passes<T> {
+    /// Returns the winding number; `None` where a sign is unreliable. `extent` is the farthest coordinate of a vertex.
+    #[inline(always)]
+    pub(crate) fn reliable(&self, extent: T, limits: ReliableLimits<T>) -> Option<T> {
+        let is_ordinary = extent.below(limits.far)
+            & limits.near.below(extent)
+            & limits.doubt.below(self.doubt)
+            & (T::lit(4.0 / T::LARGEST) * extent * extent).below(self.doubt);
+        is_ordinary.then_some(self.winding)
+    }
 }
 
 impl<S: Scalar> NearestState<S> {
@@ -57,8 +121,7 @@ impl<S: Scalar> NearestState<S> {
         NearestState {
             least: S::lit(S::LARGEST),
             extent: S::zero(),
-            winding: S::zero(),
-            doubt: S::lit(S::LARGEST),
+            passes: Passes::none(),
         }
     }
     /// Updates the state with the edge from a to b, seen from the origin. Returns its squared distance. An edge of
@@ -73,19 +136,7 @@ impl<S: Scalar> NearestState<S> {
         let across = turn.over(S::select(is_inside, square, one)) * turn;
         let (start, end) = (a.length_squared(), b.length_squared());
         let distance = S::select(is_inside, across, start.least(end));
-        // Up to a power of two this is the number whose sign the fold uses.
-        let side = a.perp_dot(b);
-        let up = a.y.at_most(zero) & zero.below(b.y);
-        let down = b.y.at_most(zero) & zero.below(a.y);
-        let turns = S::select(
-            up & side.above(zero),
-            one,
-            S::select(down & side.below(zero), -one, zero),
-        );
-        self.winding += turns;
-        self.doubt = self
-            .doubt
-            .least(S::select(up | down, side.unsigned(), S::lit(S::LARGEST)));
+        self.passes.see(a, b);
         self.extent = self.extent.most(a.x.unsigned().most(a.y.unsigned()));
         self.least = self.least.least(distance);
         distance
@@ -158,28 +209,18 @@ pub(crate) fn near_edges<T: Real, V: Vector<T>>(
             at += V::WIDTH;
         }
     }
-    let mut lanes = [Lane::default(); 4];
+    let mut lanes = [Lane::default(); 2];
     all.least.write(&mut lanes[0], 0);
-    all.doubt.write(&mut lanes[1], 0);
-    all.extent.write(&mut lanes[2], 0);
-    all.winding.write(&mut lanes[3], 0);
+    all.extent.write(&mut lanes[1], 0);
     let mut seen = NearestState::<T>::nothing();
     let mut k = 0;
     while k < V::WIDTH {
         seen.least = seen.least.least(lanes[0].0[k]);
-        seen.doubt = seen.doubt.least(lanes[1].0[k]);
-        seen.extent = seen.extent.most(lanes[2].0[k]);
-        seen.winding += lanes[3].0[k];
+        seen.extent = seen.extent.most(lanes[1].0[k]);
         k += 1;
     }
     let extent = seen.extent;
-    let is_ordinary = extent.below(limits.far)
-        & limits.near.below(extent)
-        & limits.doubt.below(seen.doubt)
-        & (T::lit(4.0 / T::LARGEST) * extent * extent).below(seen.doubt);
-    if !is_ordinary {
-        return None;
-    }
+    let winding = all.passes.folded::<T>().reliable(extent, limits)?;
     let reach = seen.least.root() + T::lit(2.0 * SLACK * T::EPSILON) * extent;
     let limit = V::splat(reach * reach * T::lit(1.0 + 16.0 * T::EPSILON));
     let mut count = 0;
@@ -199,5 +240,5 @@ pub(crate) fn near_edges<T: Real, V: Vector<T>>(
             at += V::WIDTH;
         }
     }
-    Some((count, seen.winding))
+    Some((count, winding))
 }

@@ -4,6 +4,7 @@
 //! others. So results equal the results of a loop over all points and boxes, for any number of threads.
 use crate::error::{Argument, Error, Validate};
 use crate::kernels::cpu::Cpu;
+use crate::kernels::cpu::work::Interruption;
 use crate::shape::{Aabb3, Obb3, YawBox3};
 use crate::{Aabb2, Obb2, Real, Vec2, Vec3};
 
@@ -219,13 +220,18 @@ fn pieces<B: Container, R: Send>(
     check("boxes", boxes)?;
     let ends: Vec<_> = boxes.iter().map(|one| one.ends()).collect();
     let tree = BoxTree::new(&ends);
-    let run = |(piece, points)| of(&tree, piece * PIECE, points);
+    let interruption = Interruption::current();
+    let run = |(piece, points)| (!interruption.is_due()).then(|| of(&tree, piece * PIECE, points));
     #[cfg(feature = "parallel")]
     if crate::kernels::cpu::work::is_parallel() {
         use rayon::prelude::*;
-        return Ok(points.par_chunks(PIECE).enumerate().map(run).collect());
+        return Ok(points
+            .par_chunks(PIECE)
+            .enumerate()
+            .filter_map(run)
+            .collect());
     }
-    Ok(points.chunks(PIECE).enumerate().map(run).collect())
+    Ok(points.chunks(PIECE).enumerate().filter_map(run).collect())
 }
 
 impl Cpu {

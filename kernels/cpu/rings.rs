@@ -1,4 +1,4 @@
-//! Block kernels of rings: one short ring per lane, or one long ring at a time.
+//! Block kernels of rings: one short ring per lane, or one long ring at a time; and of the edges of polylines.
 //!
 //! Compiled in this library only, by the entries in `arch`.
 use crate::kernels::cpu::arch::Vector;
@@ -237,6 +237,31 @@ pub(crate) fn bars<T: Real, V: Vector<T>>(
         let bars = &mut bars[ring[0] - base..ring[1] - base];
         let ring = &vertices[ring[0]..ring[1]];
         ad::adjoint::ring::measure_vjp(measure, ring, out_bar, bars);
+    }
+}
+
+/// Writes the distance of every vertex from the one before: one number less than vertices.
+#[inline(always)]
+pub(crate) fn edge_lengths<T: Real, V: Vector<T>>(vertices: &[T], out: &mut [T]) {
+    let (mut whole, mut first) = (out.chunks_exact_mut(V::WIDTH), 0);
+    for out in whole.by_ref() {
+        let own = &vertices[2 * first..][..2 * V::WIDTH + 2];
+        let [x, y, next_x, next_y] = V::from_items(
+            #[inline(always)]
+            |i| match own[2 * i..].first_chunk() {
+                Some(edge) => *edge,
+                None => [T::default(); 4],
+            },
+        );
+        let mut lane = Lane([T::default(); TILE]);
+        let along = Vec2::new(next_x, next_y) - Vec2::new(x, y);
+        along.length().write(&mut lane, 0);
+        out.copy_from_slice(&lane.0[..V::WIDTH]);
+        first += V::WIDTH;
+    }
+    let rest = vertices[2 * first..].windows(4).step_by(2);
+    for (out, edge) in whole.into_remainder().iter_mut().zip(rest) {
+        *out = Vec2::new(edge[2] - edge[0], edge[3] - edge[1]).length();
     }
 }
 

@@ -14,6 +14,7 @@ use crate::kernels::cpu::maker::Maker;
 use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::kernels::cpu::plan::{List, Plan, Rare};
 use crate::kernels::cpu::tree::Tree;
+use crate::kernels::cpu::work::Interruption;
 use std::ops::Range;
 
 /// The smallest number of columns for which a tree is built, and the largest share of near pairs.
@@ -25,6 +26,10 @@ const DENSE: f64 = 0.6;
 
 /// The number of rows from which the share of near pairs is estimated.
 const SAMPLED: usize = 16;
+
+/// The number of rows between two questions whether a batch is interrupted, so few that even slow pairs of a row and a
+/// stretch take less than a tenth of a second.
+const ROWS_UNASKED: usize = 16;
 
 /// The number of tiles that one call of a kernel computes for rows with few columns: the processor overlaps their
 /// latencies.
@@ -145,7 +150,11 @@ impl<'a, T: Real> Sweep<'a, T> {
             let mut buffers = SweepBuffers::new(&self, lanes);
             let count = self.b.count;
             let (mut room, mut hits) = (Vec::new(), Vec::new());
+            let interruption = Interruption::current();
             while let Some(row) = choice.next() {
+                if row % ROWS_UNASKED == 0 && interruption.is_due() {
+                    return;
+                }
                 if !choice.wanted(&mut hits) {
                     let near = self.near(row, &mut room);
                     hits.clear();
@@ -222,12 +231,16 @@ impl<'a, T: Real> Sweep<'a, T> {
         mut consume: impl FnMut(RowPart<'_, T>),
     ) {
         let mut buffers = SweepBuffers::new(self, lanes);
+        let interruption = Interruption::current();
         if let Some(tree) = &self.tree {
             let mut room = Vec::new();
             let mut group = RowGroup::default();
             let is_plain =
                 self.upstream.is_none() && self.a.rare.is_empty() && self.b.rare.is_empty();
             for row in rows {
+                if row % ROWS_UNASKED == 0 && interruption.is_due() {
+                    return;
+                }
                 let Some(bounds) = self.a.bounds_of(row) else {
                     continue;
                 };
@@ -257,6 +270,9 @@ impl<'a, T: Real> Sweep<'a, T> {
                 _ => None,
             };
             for row in rows.clone() {
+                if row % ROWS_UNASKED == 0 && interruption.is_due() {
+                    return;
+                }
                 buffers.choose(row);
                 if let (Some(bounds), Some(own)) = (bounds, self.a.bounds_of(row)) {
                     let near = (kernels_in::<T>().near)(&own, bounds, first as u32, &mut hits);

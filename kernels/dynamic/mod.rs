@@ -46,7 +46,7 @@ mod rows;
 pub mod symbol;
 
 pub use crate::ad::sample::Sampler;
-pub use crate::kernels::cpu::work::on_this_thread;
+pub use crate::kernels::cpu::work::{Interruption, interruptible, on_this_thread};
 pub use crate::kernels::row::bounds::Bound;
 pub use crate::kernels::row::derivation::Mode;
 pub use catalogue::{Operation, Parameter, Sort, operation, operations};

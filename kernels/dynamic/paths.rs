@@ -9,6 +9,7 @@ use crate::kernels::machine::Here;
 use crate::kernels::machine::{Column, Columns};
 use crate::kernels::row::fold::Fold;
 use crate::kernels::row::item::counts::expect;
+use crate::kernels::row::item::memory::lent_mut;
 use crate::kernels::row::item::rows::numbers;
 use crate::kernels::row::item::{Item, Leaf};
 use crate::{Fixed, Real};
@@ -77,9 +78,25 @@ impl<R: Item> Columns for Contexts<'_, R> {
 }
 
 /// Returns shapes from their numbers.
-pub(super) fn loaded<P: Fixed>(numbers: &[P::Scalar]) -> Vec<P> {
-    let shapes = numbers.chunks_exact(P::LEN.max(1));
-    shapes.map(P::load).collect()
+pub(super) fn loaded<P: Fixed>(numbers: &[P::Scalar]) -> Vec<P>
+where
+    P::Scalar: 'static,
+{
+    let Some(&any) = numbers.first() else {
+        return Vec::new();
+    };
+    let mut shapes = vec![P::filled(any); numbers.len() / P::LEN.max(1)];
+    match lent_mut(&mut shapes) {
+        // One copy of all is faster than one of each shape.
+        Some(own) => own.copy_from_slice(&numbers[..own.len()]),
+        None => {
+            let all = numbers.chunks_exact(P::LEN.max(1));
+            for (shape, own) in shapes.iter_mut().zip(all) {
+                *shape = P::load(own);
+            }
+        }
+    }
+    shapes
 }
 
 /// Builds an untyped fold in a format; `$machine` maps a backend to the machine.

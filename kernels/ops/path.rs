@@ -102,6 +102,10 @@ impl Fold for LengthOfPolyline {
     type Reference<S: Scalar> = [S; 0];
     type State<S: Scalar> = S;
     type Out<S: Scalar> = S;
+    const IS_LENGTH: bool = true;
+    fn in_plane<S: Scalar>(path: &[Vec2<S>]) -> &[Vec2<S>] {
+        path
+    }
     fn reference<S: Scalar>(_: [S; 0], _path: &[Vec2<S>]) -> [S; 0] {
         []
     }
@@ -124,7 +128,7 @@ impl Fold for LengthOfPolyline {
 macro_rules! of_point_and_path {
     ($(
         $(#[$($doc:tt)*])*
-        $Name:ident = $name:literal, closed $closed:literal, $class:tt, jumps $jumps:ident:
+        $Name:ident = $name:literal, closed $closed:literal, $class:tt, jumps $jumps:ident $(, only $is_winding:literal)?:
         |$state:ident| $answer:expr;
     )*) => { $(
         $(#[$($doc)*])*
@@ -140,6 +144,7 @@ macro_rules! of_point_and_path {
         impl Fold for $Name {
             const CLOSED: bool = $closed;
             const WINDING: Option<usize> = Some(EdgeFold::<f64>::WINDING);
+            $(const IS_WINDING: bool = $is_winding;)?
             type Element<S: Scalar> = Vec2<S>;
             type Context<S: Scalar> = Vec2<S>;
             type Reference<S: Scalar> = [S; 0];
@@ -191,7 +196,7 @@ of_point_and_path! {
         |state| (-state.signed_distance(Fill::EvenOdd)).canonical();
     /// The [winding number](crate::distance::ring::winding_of_ring) of a ring around a point: a whole
     /// number, which jumps at the border and has no derivatives.
-    WindingOfRing = "winding_of_ring", closed true, [similar], jumps Anywhere:
+    WindingOfRing = "winding_of_ring", closed true, [similar], jumps Anywhere, only true:
         |state| state.winding.canonical();
 }
 

@@ -67,11 +67,17 @@ pub trait Fold: Declares {
     /// fold that needs nothing but this number and the nearest edges: batches then fold only those edges.
     #[doc(hidden)]
     const WINDING: Option<usize> = None;
+    /// `true` for a fold that needs nothing but the winding number: batches then fold no edge where it is known.
+    #[doc(hidden)]
+    const IS_WINDING: bool = false;
+    /// `true` for the length of a polyline, which has a kernel. It takes the path as points of the plane.
+    #[doc(hidden)]
+    const IS_LENGTH: bool = false;
     /// The measure of rings that the fold computes, if it has kernels and adjoints by hand. They replace its edges, and
     /// take the path as points of the plane.
     #[doc(hidden)]
     const MEASURE: Option<Measure> = None;
-    /// Returns the path as points of the plane, for a fold with a winding number or a measure of rings.
+    /// Returns the path as points of the plane, for a fold with a winding number, a length or a measure of rings.
     #[doc(hidden)]
     fn in_plane<S: Scalar>(_path: &[Self::Element<S>]) -> &[Vec2<S>] {
         &[]

@@ -2,6 +2,7 @@
 use crate::polygons::{Format, Polygons, rows};
 use crate::threads::{FEW, get_num_threads, on_threads};
 use geograd::ad::adjoint::{overlap_rings, polygon as adjoint};
+use geograd::kernels::dynamic::Interruption;
 use geograd::overlap_polygon::holed;
 use geograd::polygon::{self, Fill, Rings};
 use geograd::{Aabb2, Vec2, ring};
@@ -29,9 +30,13 @@ pub fn in_runs<R: Send>(
     let runs = count.div_ceil(size);
     let work = work.max(count);
     let alone = get_num_threads()? == 1 || work <= FEW;
-    on_threads(py, work, || match alone {
-        true => (0..runs).map(of).collect(),
-        false => (0..runs).into_par_iter().map(of).collect(),
+    on_threads(py, work, || {
+        let interruption = Interruption::current();
+        let of = |k| (!interruption.is_due()).then(|| of(k));
+        match alone {
+            true => (0..runs).filter_map(of).collect(),
+            false => (0..runs).into_par_iter().filter_map(of).collect(),
+        }
     })
 }
 

@@ -3,11 +3,14 @@ use crate::polygon_calls::{Bars, fill, in_format, in_runs, numbers, place, toget
 use crate::polygons::{Format, Polygons, rows, vectors};
 use geograd::Vec2;
 use geograd::ad::adjoint::polygon as adjoint;
-use geograd::polygon::Fill;
+use geograd::polygon::{Fill, Slabs};
 use numpy::{PyArray1, PyArrayDyn};
 use pyo3::prelude::*;
 
 type Object<'py> = Bound<'py, PyAny>;
+
+/// The number of points from which the edges of one polygon are sorted.
+const MANY: usize = 32;
 
 /// The signed distance of points and polygons, negative inside, or with `is_of_area` the distance from what the border
 /// encloses; with cotangents of these those of points and vertices.
@@ -118,11 +121,24 @@ fn contained<'py, T: Format>(
     let (of_points, of_polygons) = (points.len(), own.layout.len());
     let count = together(("points", of_points), ("polygons", of_polygons))?;
     let mean = vertices.len() / of_polygons.max(1);
-    let runs = in_runs(py, count, count.saturating_mul(mean + 1), |run| {
+    // Sorting the edges of one polygon takes as long as some points.
+    let slabs =
+        (of_polygons == 1 && count >= MANY).then(|| Slabs::of(own.layout.item(&vertices, 0)));
+    let work = match slabs {
+        Some(_) => count,
+        None => count.saturating_mul(mean + 1),
+    };
+    let runs = in_runs(py, count, work, |run| {
         let inside = run.map(|i| {
             let at = points[place(of_points, i)];
-            let rings = own.layout.item(&vertices, place(of_polygons, i));
-            at.is_finite() && rings.contains(at, fill)
+            let contains = || match &slabs {
+                Some(slabs) => slabs.contains(at, fill),
+                None => own
+                    .layout
+                    .item(&vertices, place(of_polygons, i))
+                    .contains(at, fill),
+            };
+            at.is_finite() && contains()
         });
         inside.collect::<Vec<bool>>()
     })?;

@@ -1,9 +1,12 @@
 //! The thread pool of this process; a forked child needs its own, since threads do not survive a fork.
+use geograd::kernels::dynamic::{interruptible, on_this_thread};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use std::cell::RefCell;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
+use std::sync::mpsc::{self, RecvTimeoutError};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
 
 /// The pool of a process: the process number, the number of threads, and the pool.
 struct ProcessPool {
@@ -109,18 +112,98 @@ fn pool(threads: usize) -> PyResult<Arc<rayon::ThreadPool>> {
 /// The number of items below which a call runs on its own thread: the library does not split so small a batch.
 pub const FEW: usize = 2048;
 
-/// Runs a call without Python's lock, on the threads of this process.
+/// The milliseconds between two looks at Python's signals: a key press and its exception are less than twice as far
+/// apart, and a look takes some microseconds.
+const LOOKS: u64 = 100;
+
+/// A watch for signals while a call runs without Python's lock, such as the one of Ctrl-C.
+struct Watch {
+    begun: Instant,
+    /// When to look again, in milliseconds after the begin.
+    next: AtomicU64,
+    /// The exception that ends the call.
+    raised: Mutex<Option<PyErr>>,
+}
+
+impl Watch {
+    fn new() -> Self {
+        Watch {
+            begun: Instant::now(),
+            next: AtomicU64::new(LOOKS),
+            raised: Mutex::new(None),
+        }
+    }
+    fn raised(&self) -> MutexGuard<'_, Option<PyErr>> {
+        self.raised.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+    /// Runs Python's handlers of signals where it is time to. Returns `true` once one has raised an exception.
+    fn look(&self) -> bool {
+        let now = u64::try_from(self.begun.elapsed().as_millis()).unwrap_or(u64::MAX);
+        if now < self.next.load(Ordering::Relaxed) {
+            return false;
+        }
+        // Any call of Python runs handlers, that of the second question, too.
+        let found = Python::attach(|py| py.check_signals().and_then(|()| is_main(py)));
+        // They run in the main thread alone, so that another one need not look again.
+        let next = match found {
+            Ok(false) => u64::MAX,
+            _ => now + LOOKS,
+        };
+        self.next.store(next, Ordering::Relaxed);
+        match found {
+            Ok(_) => false,
+            Err(error) => {
+                *self.raised() = Some(error);
+                true
+            }
+        }
+    }
+}
+
+/// Returns `true` in Python's main thread.
+fn is_main(py: Python<'_>) -> PyResult<bool> {
+    let threading = py.import("threading")?;
+    let own = threading.call_method0("get_ident")?;
+    own.eq(threading.call_method0("main_thread")?.getattr("ident")?)
+}
+
+/// Runs a call without Python's lock, on the threads of this process. A signal's handler may end it by an exception.
 pub fn on_threads<R: Send>(
     py: Python<'_>,
     items: usize,
     run: impl FnOnce() -> R + Send,
 ) -> PyResult<R> {
     let threads = get_num_threads()?;
-    if threads == 1 || items <= FEW {
-        return Ok(py.detach(|| geograd::kernels::dynamic::on_this_thread(run)));
+    if items <= FEW {
+        return Ok(py.detach(|| on_this_thread(run)));
     }
-    py.detach(|| {
-        let pool = pool(threads)?;
-        Ok(pool.install(run))
-    })
+    let watch = Arc::new(Watch::new());
+    let own = watch.clone();
+    let result = match threads {
+        1 => py.detach(|| on_this_thread(|| interruptible(move || own.look(), run))),
+        _ => py.detach(|| {
+            let is_over = Arc::new(AtomicBool::new(false));
+            let asked = is_over.clone();
+            let (done, wait) = mpsc::channel::<()>();
+            let mut result = None;
+            pool(threads)?.in_place_scope(|scope| {
+                scope.spawn(|_| {
+                    result = interruptible(move || asked.load(Ordering::Relaxed), run);
+                    drop(done);
+                });
+                // The threads of the pool compute; this one, which may be Python's main thread, looks.
+                let pause = Duration::from_millis(LOOKS);
+                while wait.recv_timeout(pause) == Err(RecvTimeoutError::Timeout) {
+                    if own.look() {
+                        is_over.store(true, Ordering::Relaxed);
+                    }
+                }
+            });
+            PyResult::Ok(result)
+        })?,
+    };
+    match watch.raised().take() {
+        Some(error) => Err(error),
+        None => result.ok_or_else(|| PyRuntimeError::new_err("the call was interrupted")),
+    }
 }

@@ -4,6 +4,17 @@ use crate::contain::{Location, locate};
 use crate::distance::ring::{EdgeFold, fold_ring};
 use crate::{Scalar, Vec2};
 
+impl Location {
+    /// Returns `true` inside by a fill rule, and on the border.
+    pub(crate) fn is_inside(self, fill: Fill) -> bool {
+        match (self, fill) {
+            (Location::Border, _) => true,
+            (Location::Off(winding), Fill::NonZero) => winding != 0,
+            (Location::Off(winding), Fill::EvenOdd) => winding % 2 != 0,
+        }
+    }
+}
+
 impl<S: Scalar<Mask = bool>> Rings<'_, S> {
     /// Returns the location of a point: on the border, or the winding number of the rings around it. Search exactly.
     #[must_use]
@@ -29,11 +40,7 @@ impl<S: Scalar<Mask = bool>> Rings<'_, S> {
     /// ```
     #[must_use]
     pub fn contains(&self, point: Vec2<S>, fill: Fill) -> bool {
-        match (self.locate(point), fill) {
-            (Location::Border, _) => true,
-            (Location::Off(winding), Fill::NonZero) => winding != 0,
-            (Location::Off(winding), Fill::EvenOdd) => winding % 2 != 0,
-        }
+        self.locate(point).is_inside(fill)
     }
     /// Returns the distance of a point from the nearest edge of any ring, in units of length: positive inside, negative
     /// outside, by a fill rule. Without vertices it is the lowest finite number.

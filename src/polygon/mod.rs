@@ -17,8 +17,10 @@ mod located;
 mod measure;
 mod parts;
 mod sides;
+pub(crate) mod slabs;
 
 pub use crate::distance::ring::Fill;
 pub use measure::{area, centroid, perimeter, second_moments, signed_area};
 pub use parts::{Polygon, Rings};
 pub use sides::Sides;
+pub use slabs::Slabs;

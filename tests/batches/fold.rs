@@ -52,7 +52,7 @@ fn folds_have_the_bits_of_one_path_at_a_time() {
 /// Rings of hundreds of vertices with a point each: round and jagged ones, ones in a raster with many ties and
 /// points on edges and corners, tiny and huge ones, ones with edges of length zero, and ones too extreme
 /// for squares.
-fn long_rings(dice: &mut Dice) -> (Vec<Vec2<f64>>, Vec<Vec2<f64>>, Vec<usize>) {
+pub(super) fn long_rings(dice: &mut Dice) -> (Vec<Vec2<f64>>, Vec<Vec2<f64>>, Vec<usize>) {
     let (mut points, mut vertices, mut offsets) = (Vec::new(), Vec::new(), vec![0]);
     for kind in 0..72 {
         let unit = [1.0, 1e-9, 1e12, 1e-25, 1e18, 0.0][kind / 12];

@@ -14,6 +14,7 @@ use crate::kernels::cpu::program::rowwise::{self, ResultRows, RowRange};
 use crate::kernels::cpu::quads;
 use crate::kernels::cpu::rings::{self, Measure};
 use crate::kernels::cpu::upright_boxes;
+use crate::kernels::cpu::winding;
 use crate::overlap::Denominator;
 
 /// Lists kernels: a name, arguments, and the generic function, of a format `T` and a vector `V`.
@@ -161,6 +162,12 @@ entries! {
     over_rows(tape: &Tape, part: RowRange<'_, T>, wanted: &mut [ResultRows<'_, T>]) = rowwise::over_rows::<T, V>;
     /// The edges of a path that can be nearest to a point, and the winding number of the path.
     near_edges(point: Vec2<T>, path: &nearest::Edges<T>, limits: nearest::ReliableLimits<T>, squares: &mut [Lane<T>], picked: &mut [u32]) -> Option<(usize, T)> = nearest::near_edges::<T, V>;
+    /// The winding number of a ring around a point by the edges of a slab; `None` where it is unreliable.
+    winding_of_slabs(point: Vec2<T>, ring: &winding::SlabLanes<T>, limits: nearest::ReliableLimits<T>) -> Option<T> = winding::of_slabs::<T, V>;
+    /// The winding number of a ring around a point by all edges; `None` where it is unreliable.
+    winding_of_ring(point: Vec2<T>, ring: &[T], limits: nearest::ReliableLimits<T>) -> Option<T> = winding::of_ring::<T, V>;
+    /// The distance of every vertex from the one before.
+    edge_lengths(vertices: &[T], out: &mut [T]) = rings::edge_lengths::<T, V>;
     /// Measures of rings; `false` if a vertex is not finite, and the measures are then arbitrary.
     ring_values(measure: Measure, vertices: &[Vec2<T>], offsets: &[usize], out: &mut [T]) -> bool = rings::values::<T, V>;
     /// Adjoints of measures of rings.

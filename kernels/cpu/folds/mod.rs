@@ -2,12 +2,14 @@
 //! in order.
 mod near_edges;
 pub(crate) mod paths;
+mod windings;
 
 use crate::error::Field;
 use crate::kernels::call::folding::{FoldPrograms, Folding, Sizes, backwards};
 use crate::kernels::cpu::checked::{check_argument, check_upstream};
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::plan::{Plan, Preparation, name, of_recorded};
+use crate::kernels::cpu::polylines::lengths;
 use crate::kernels::cpu::ragged::check_offsets;
 use crate::kernels::cpu::stretches::{self, Aligned};
 use crate::kernels::cpu::work::in_parallel;
@@ -23,6 +25,15 @@ use std::sync::Arc;
 
 /// Returns the numbers of the result of every path.
 pub fn values<T: Real>(folding: &Folding<T>, input: &Input<'_, T>) -> Result<Vec<T>, Error> {
+    if folding.sizes.is_length {
+        check_spans(input)?;
+        let ends = [0, input.plane.len()];
+        let mut out = vec![T::default(); input.spans.count()];
+        return match lengths(input.plane, input.spans.offsets(&ends), &mut out) {
+            true => Ok(out),
+            false => Err(first_flaw(folding, &input.vertices)),
+        };
+    }
     check(folding, input)?;
     let (sizes, programs) = (&folding.sizes, (folding.programs)()?);
     let paths = paths(folding, input)?;

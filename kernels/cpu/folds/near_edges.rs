@@ -15,11 +15,11 @@ pub struct NearEdges<T> {
     /// The number of edges of every path, and its winding number; `None` where all edges count.
     pub(crate) counts: Vec<(usize, Option<T>)>,
     /// `true` if a vertex was not finite.
-    unsound: bool,
+    pub(super) unsound: bool,
 }
 
 /// The number of vertices in a piece of work.
-const PIECE: usize = 1 << 14;
+pub(super) const PIECE: usize = 1 << 14;
 
 /// Returns the edges of every path that can be nearest to its point, computed on all threads; `None` if a vertex is not
 /// finite.

@@ -1,5 +1,6 @@
 //! The edges of paths to fold.
 use super::near_edges::sieved;
+use super::windings::wound;
 use crate::error::{Argument, Flaw};
 use crate::kernels::call::folding::{Folding, Sizes};
 use crate::kernels::machine::Column;
@@ -57,7 +58,10 @@ pub(crate) fn paths<'a, T: Real>(
         }
     }
     if sizes.winding.is_some() {
-        let found = sieved(&points, input.plane, spans, sizes.closed);
+        let found = match sizes.is_winding {
+            true => wound(&points, input.plane, spans),
+            false => sieved(&points, input.plane, spans, sizes.closed),
+        };
         let mut path = 0;
         for piece in found.ok_or_else(|| first_flaw(folding, &input.vertices))? {
             let mut rest = piece.edges.iter().map(|&k| k as usize);

@@ -4,6 +4,8 @@ import sys
 
 import numpy as np
 
+from . import _outlines
+
 
 def numbers(x, name, kind):
     """An array of float32 or float64 exactly; a TypeError says what is wrong with anything else."""
@@ -99,12 +101,14 @@ def paths(x, name, closed=False, widths=(2,)):
             raise TypeError(f"{name}: polygons, rings and lines are needed; explode multi-part geometries first")
         if (shapely.get_num_interior_rings(geometries) > 0).any():
             raise ValueError(f"{name}: a polygon has holes, and a path is one ring: pass rings one by one, holes apart")
-        lines = np.where(types == 3, shapely.get_exterior_ring(geometries), geometries)
-        counts = shapely.get_num_coordinates(lines)
-        vertices = shapely.get_coordinates(lines)
+        # The coordinates of a polygon without holes are those of its ring.
+        counts = shapely.get_num_coordinates(geometries)
+        vertices = shapely.get_coordinates(geometries)
+        ends = np.cumsum(counts)
+        if closed and (counts > 0).all() and (types != 1).all():
+            return _outlines.opened(vertices, np.concatenate([[0], ends]))
         if closed:
             # The last vertex of a ring of shapely is its first.
-            ends = np.cumsum(counts)
             keep = np.ones(len(vertices), bool)
             keep[ends[(types != 1) & (counts > 0)] - 1] = False
             counts = counts - ((types != 1) & (counts > 0))

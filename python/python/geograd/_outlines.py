@@ -30,17 +30,35 @@ def closed(rings: geograd.Paths) -> Tuple[Array, Array]:
     if (counts < 3).any():
         row = int(np.flatnonzero(counts < 3)[0])
         raise ValueError(f"ring {row} has {counts[row]} vertices, and a polygon at least 3")
-    places = np.insert(np.arange(len(vertices)), offsets[1:], offsets[:-1])
-    return vertices[places], offsets + np.arange(len(offsets))
+    return repeated(vertices, offsets, counts), offsets + np.arange(len(offsets))
+
+
+def repeated(vertices: Array, offsets: Array, counts: Array) -> Array:
+    """The vertices of rings of so many vertices, the first of each again after its last."""
+    made = np.empty((len(vertices) + len(counts), vertices.shape[1]), vertices.dtype)
+    if len(counts) and (counts == counts[0]).all():
+        rows = made.reshape(len(counts), -1, vertices.shape[1])
+        rows[:, :-1] = vertices.reshape(len(counts), -1, vertices.shape[1])
+        rows[:, -1] = rows[:, 0]
+        return made
+    places = np.arange(len(made)) - np.repeat(np.arange(len(counts)), counts + 1)
+    places[offsets[1:] + np.arange(len(counts))] = offsets[:-1]
+    return vertices.take(places, axis=0, out=made)
 
 
 def opened(vertices: Array, offsets: Array) -> Tuple[Array, Array]:
     """The vertices of closed rings without the last of each, and their offsets."""
     if len(offsets) == 1:
         return vertices[:0], offsets
-    keep = np.ones(len(vertices), bool)
-    keep[offsets[1:] - 1] = False
-    return vertices[keep], offsets - np.arange(len(offsets))
+    count = int(offsets[1])
+    if count * (len(offsets) - 1) == len(vertices) and (np.diff(offsets) == count).all():
+        # Rings of one length are a slice, which copies faster than a choice.
+        kept = vertices.reshape(-1, count, vertices.shape[1])[:, :-1].reshape(-1, vertices.shape[1])
+    else:
+        keep = np.ones(len(vertices), bool)
+        keep[offsets[1:] - 1] = False
+        kept = vertices.compress(keep, axis=0)
+    return kept, offsets - np.arange(len(offsets))
 
 
 def turned(rings: geograd.Rings, is_outer: Array) -> geograd.Rings:

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from . import _convert_polygons, _core, _points, _separation
+from . import _convert_polygons, _core, _outlines, _points, _separation
 
 #: The verbs that take polygons: what each takes, and what it gives.
 VERBS = {
@@ -117,6 +117,13 @@ class Polygons(_core.Polygons):
             place = int(np.flatnonzero(wrong)[0])
             what = "missing" if types[place] < 0 else f"a {geometries[place].geom_type}"
             raise TypeError(f"geometry {place}: a Polygon or a MultiPolygon is needed, and it is {what}")
+        if (types == 3).all() and not (shapely.get_num_interior_rings(geometries) > 0).any():
+            # The coordinates of a polygon without holes are those of its one ring.
+            counts = shapely.get_num_coordinates(geometries)
+            full = counts > 0
+            ends = np.concatenate([[0], np.cumsum(counts[full])])
+            vertices, rings = _outlines.opened(shapely.get_coordinates(geometries), ends)
+            return cls(vertices, (rings, np.arange(len(rings)), np.concatenate([[0], np.cumsum(full)])))
         parts, of = shapely.get_parts(geometries, return_index=True)
         full = ~shapely.is_empty(parts)
         parts, of = parts[full], of[full]
@@ -126,9 +133,8 @@ class Polygons(_core.Polygons):
         counts = shapely.get_num_coordinates(rings)
         vertices = shapely.get_coordinates(rings)
         # The last vertex of a ring of shapely is its first.
-        keep = np.ones(len(vertices), bool)
-        keep[np.cumsum(counts) - 1] = False
-        return cls(vertices[keep], (np.concatenate([[0], np.cumsum(counts - 1)]), ends, polygons))
+        vertices, offsets = _outlines.opened(vertices, np.concatenate([[0], np.cumsum(counts)]))
+        return cls(vertices, (offsets, ends, polygons))
 
     def to_shapely(self):
         """An array of shapely's geometries: of a polygon of one part a Polygon, of any other a MultiPolygon."""
@@ -139,6 +145,8 @@ class Polygons(_core.Polygons):
         of_parts = np.zeros(0, object)
         if len(parts) > 1:
             of_parts = shapely.from_ragged_array(shapely.GeometryType.POLYGON, vertices, (rings, parts))
+        if len(of_parts) and one.all():
+            return of_parts
         made = np.empty(len(self), object)
         made[one] = of_parts[polygons[:-1][one]]
         for place in np.flatnonzero(~one):
@@ -148,7 +156,7 @@ class Polygons(_core.Polygons):
     def _closed(self):
         """Vertices and offsets with the first vertex of every ring repeated at its end."""
         rings, parts, polygons = self.offsets
-        vertices = np.insert(self.vertices, rings[1:], self.vertices[rings[:-1]], axis=0) if len(rings) > 1 else self.vertices
+        vertices = _outlines.repeated(self.vertices, rings, np.diff(rings))
         return vertices, (rings + np.arange(len(rings)), parts, polygons)
 
     @classmethod

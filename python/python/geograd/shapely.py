@@ -103,14 +103,14 @@ def rings(x: Any) -> geograd.Rings:
     many = shapely.get_num_geometries(found) > 1
     # A collection of one polygon is that polygon.
     alone = shapely.get_type_id(found) == _POLYGONS
-    found[alone] = shapely.get_geometry(found[alone], 0)
+    if alone.any():
+        found[alone] = shapely.get_geometry(found[alone], 0)
     holes = shapely.get_num_interior_rings(found) > 0
     for bad, what in ((many, "several parts"), (holes, "holes")):
         if bad.any():
             row = int(np.flatnonzero(bad)[0])
             raise ValueError(f"geometry {row} has {what}: all_rings gives the rings of such polygons, with their rows")
-    of_polygon = shapely.get_type_id(found) == _POLYGON
-    found[of_polygon] = shapely.get_exterior_ring(found[of_polygon])
+    # The coordinates of a polygon without holes are those of its ring.
     return geograd.Rings(*_joined(found, closed=True))
 
 

@@ -4,9 +4,10 @@ use super::scanline::{self, Ring};
 use geograd::ad::adjoint::overlap_rings::{
     intersection_area_vjp, iof_vjp, iou_vjp, union_area_vjp,
 };
+use geograd::contain::Location;
 use geograd::error::{Flaw, VertexFault};
 use geograd::overlap_polygon::holed::{intersection_area, iof, iou, union_area};
-use geograd::polygon::{self, Fill, Sides};
+use geograd::polygon::{self, Fill, Sides, Slabs};
 use geograd::{Aabb2, Pack, Polygon, Rings, Vec2};
 use geograd_tests::Dice;
 
@@ -41,6 +42,56 @@ pub fn differences(
 
 pub fn zeros(a: &Polygon<f64>) -> Vec<Vec2<f64>> {
     vec![Vec2::new(0.0, 0.0); a.vertices().len()]
+}
+
+#[test]
+fn slabs_locate_as_rings_do() {
+    let mut dice = Dice(3);
+    let mut all = hard_rings();
+    all.extend((0..40).map(|_| {
+        let count = 1 + dice.below(4);
+        let vertex = |dice: &mut Dice| at(dice.within(-4.0, 9.0).round(), dice.within(-4.0, 9.0));
+        (0..count)
+            .map(|_| (0..dice.below(60)).map(|_| vertex(&mut dice)).collect())
+            .collect()
+    }));
+    // Flat ones, which have no height, and tall ones, of which every edge is in every slab.
+    all.push(vec![ring(&[(0., 1.), (3., 1.), (1., 1.)])]);
+    let zigzag = |k: usize| at(k as f64 / 8.0, if k % 2 == 0 { -4.0 } else { 9.0 });
+    all.push(vec![(0..100).map(zigzag).collect()]);
+    all.push(vec![ring(&[(0., -1e308), (1., 1e308), (-1., 1e308)])]);
+    all.push(Vec::new());
+    let mut seen = [0; 3];
+    for rings in &all {
+        let own = made(rings);
+        let slabs = Slabs::of(Rings::from(&own));
+        let mut points: Vec<Vec2<f64>> = rings.concat();
+        points.extend(
+            rings
+                .iter()
+                .flat_map(|ring| ring.windows(2))
+                .map(|e| (e[0] + e[1]) * 0.5),
+        );
+        let more = |_| at(dice.within(-5.0, 10.0), dice.within(-5.0, 10.0));
+        points.extend((0..60).map(more));
+        points.extend((0..40).map(|k| at(f64::from(k) * 0.5 - 5.0, 1.0)));
+        for point in points {
+            let known = Rings::from(&own).locate(point);
+            assert_eq!(slabs.locate(point), known, "{point:?} {rings:?}");
+            for fill in [Fill::NonZero, Fill::EvenOdd] {
+                assert_eq!(
+                    slabs.contains(point, fill),
+                    Rings::from(&own).contains(point, fill)
+                );
+            }
+            seen[match known {
+                Location::Border => 0,
+                Location::Off(0) => 1,
+                Location::Off(_) => 2,
+            }] += 1;
+        }
+    }
+    assert!(seen.iter().all(|&count| count > 300), "{seen:?}");
 }
 
 #[test]

@@ -1,0 +1,58 @@
+//! Lengths of polylines: the distances of neighbouring vertices in vectors, and their sums in order.
+use crate::kernels::cpu::formats::kernels_in;
+use crate::kernels::cpu::ragged::cuts;
+use crate::kernels::cpu::work::in_parallel;
+use crate::kernels::row::item::rows::numbers;
+use crate::{Real, Vec2};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// The number of distances that wait to be summed, few enough for the innermost cache.
+const ROOM: usize = 1024;
+
+/// Writes the length of every polyline, with the bits of the fold over its edges. Returns `false` if a vertex is not
+/// finite. Offsets were checked.
+pub(crate) fn lengths<T: Real>(vertices: &[Vec2<T>], offsets: &[usize], out: &mut [T]) -> bool {
+    let (mut rest, mut work) = (out, Vec::new());
+    for cut in cuts(offsets).windows(2) {
+        let (values, after) = rest.split_at_mut(cut[1] - cut[0]);
+        rest = after;
+        work.push((&offsets[cut[0]..=cut[1]], values));
+    }
+    let sound = AtomicBool::new(true);
+    in_parallel(work, |(offsets, values): (&[usize], &mut [T])| {
+        let own = offsets[0]..offsets[values.len()];
+        let own = numbers(&vertices[own]);
+        if (kernels_in::<T>().all_finite)(&own) {
+            sum_up(&own, offsets, values);
+        } else {
+            sound.store(false, Ordering::Relaxed);
+        }
+    });
+    sound.into_inner()
+}
+
+/// Writes the sums of the distances within each polyline. `vertices` has the numbers of these polylines alone.
+fn sum_up<T: Real>(vertices: &[T], offsets: &[usize], out: &mut [T]) {
+    let (base, count) = (offsets[0], vertices.len() / 2);
+    let mut room = [T::default(); ROOM];
+    // The edges whose lengths are in the room; those between two polylines belong to none.
+    let mut known = 0..0;
+    for (ends, out) in offsets.windows(2).zip(out) {
+        let (mut at, end) = (ends[0] - base, (ends[1] - base).saturating_sub(1));
+        let mut sum = T::default();
+        while at < end {
+            if at >= known.end {
+                let last = count.min(at + ROOM + 1);
+                known = at..last - 1;
+                let own = &vertices[2 * at..2 * last];
+                (kernels_in::<T>().edge_lengths)(own, &mut room[..known.len()]);
+            }
+            let stop = end.min(known.end);
+            for &length in &room[at - known.start..stop - known.start] {
+                sum += length;
+            }
+            at = stop;
+        }
+        *out = sum.saturated().canonical();
+    }
+}
