@@ -1,7 +1,7 @@
 //! Cases for programs in other languages: inputs of rows, and the results that the library has for them.
 use geograd::Real;
 use geograd::ad::sample::Draw;
-use geograd::kernels::dynamic::{Mode, Program, Rows, Sort};
+use geograd::kernels::dynamic::{Layout, Mode, Program, Rows, Sort};
 use geograd_tests::list::{self, Tested, are_sampled, columns};
 
 /// Inputs of a row.
@@ -95,6 +95,59 @@ pub fn straight() -> Vec<&'static Tested> {
     // Shapes with whole numbers have no program.
     all.retain(|row| row.operation.program::<f64>().is_ok());
     let chosen = are_sampled(all.iter().map(|row| row.name()).collect(), ALWAYS);
+    all.retain(|row| chosen.contains(row.name()));
+    all
+}
+
+/// Returns the replays of a search at inputs of it, with their derivatives: each program has one input, and the result
+/// that the search has for it.
+pub fn replays<T: Real>(row: &Tested) -> Vec<Case<T>> {
+    let (operation, name) = (&row.operation, row.name());
+    let mut draw = Draw::new(7);
+    let inputs = list::inputs::<T>(row, 3, |_| row.random(&mut draw));
+    let layouts = operation.layouts::<T>();
+    let mode = match list::outputs(row) {
+        1 => Mode::ValueGrad,
+        _ => Mode::Value,
+    };
+    let function = operation.function::<T>(mode).expect(name);
+    let one = |(i, input): (usize, &Vec<T>)| {
+        let lists = columns(row, std::slice::from_ref(input));
+        let rows = lists.iter().zip(&layouts);
+        let rows: Vec<_> = rows.map(|(x, own)| Rows::new(x, own.fields())).collect();
+        let found = function.aligned(&rows).expect(name);
+        let slices: Vec<&[T]> = lists.iter().map(Vec::as_slice).collect();
+        let replay = operation.replay::<T>(&slices).expect(name);
+        let program = match mode {
+            Mode::ValueGrad => replay.value_grad().expect(name),
+            _ => replay,
+        };
+        // A program takes and gives scalars alone.
+        let scalars = |x: &[T], own: &Layout<T>| x[..own.fields() - own.codes()].to_vec();
+        let taken = lists.iter().zip(&layouts).map(|(x, own)| scalars(x, own));
+        let taken: Vec<T> = taken.flatten().collect();
+        let (value, gradients) =
+            found.split_at(found.len() - layouts.len() * usize::from(mode == Mode::ValueGrad));
+        let gradients = gradients
+            .iter()
+            .zip(&layouts)
+            .map(|(x, own)| scalars(x, own));
+        let expected = value.iter().cloned().chain(gradients).flatten().collect();
+        Case {
+            name: format!("{name}_replay_{i}"),
+            program,
+            inputs: vec![taken],
+            expected: vec![expected],
+        }
+    };
+    inputs.iter().enumerate().map(one).collect()
+}
+
+/// Returns the searches, of which a test takes some.
+pub fn searches() -> Vec<&'static Tested> {
+    let mut all = list::rows();
+    all.retain(|row| row.operation.sort == Sort::Search);
+    let chosen = are_sampled(all.iter().map(|row| row.name()).collect(), SEARCHES);
     all.retain(|row| chosen.contains(row.name()));
     all
 }
