@@ -228,10 +228,11 @@ impl Operation {
     ///
     /// ```
     /// use geograd::kernels::dynamic::operation;
-    /// let depth = operation("diameter_vec2x4").expect("is listed");
-    /// let corners = [0.0, 0.0, 3.0, 0.0, 3.0, 4.0, 0.0, 1.0];
-    /// let diagonal = depth.replay::<f64>(&[&corners])?;
-    /// assert_eq!(diagonal.eval(&corners)?, [5.0]);
+    /// let diameter = operation("diameter_of_polygon").expect("is listed");
+    /// // Four of six corners, and their count.
+    /// let polygon = [0.0, 0.0, 3.0, 0.0, 3.0, 4.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 4.0];
+    /// let diagonal = diameter.replay::<f64>(&[&polygon])?;
+    /// assert_eq!(diagonal.eval(&polygon[..12])?, [5.0]);
     /// assert!(diagonal.value_grad()?.c("diagonal")?.contains("void diagonal("));
     /// # Ok::<(), geograd::Error>(())
     /// ```
