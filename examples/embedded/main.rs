@@ -2,6 +2,7 @@
 //! `main.c` uses. `cargo run -p geograd-examples --example embedded -- FOLDER`; `README.md` has the compiler's line.
 use common::cli::{Failure, finish, usage};
 use common::file::write;
+use geograd::distance::Convex;
 use geograd::{Obb2, Program, Sym};
 use std::path::PathBuf;
 

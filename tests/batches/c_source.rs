@@ -187,6 +187,8 @@ fn a_function_has_what_it_needs_and_no_more() {
     );
     assert!(source.contains("program_rest_of_large"), "{source}");
     assert!(!source.contains("program_wide_exp"), "{source}");
+    let far = "static __device__ __noinline__ void program_far(";
+    assert!(turn.cuda("turn").unwrap().contains(far));
     for name in [
         "int",
         "float",

@@ -1,6 +1,7 @@
 //! The clearance of a car as C: compiled with all warnings, run, and compared with the library.
 use crate::{folder, run, stdout};
 use geograd::Obb2;
+use geograd::distance::Convex;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
