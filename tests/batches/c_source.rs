@@ -2,7 +2,7 @@
 use crate::written::{Case, cases, elementary, numbers, replays, searches, straight};
 use geograd::ad::program::{Program, Sym};
 use geograd::kernels::dynamic;
-use geograd::{Error, Obb2, Real, Unrecordable, Vec2};
+use geograd::{Error, Obb2, Real, Scalar, Unrecordable, Vec2};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -1,7 +1,7 @@
 //! Programs as JavaScript, run by Node: the bits of the library, of values and of derivatives.
 use crate::written::{Case, cases, elementary, numbers, replays, searches, straight};
 use geograd::ad::program::{Program, Sym};
-use geograd::{Error, Obb2, Real, Unrecordable, Vec2};
+use geograd::{Error, Obb2, Real, Scalar, Unrecordable, Vec2};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
