@@ -31,7 +31,7 @@ static float clearance(const float own[NUMBERS], float gradient[NUMBERS]) {
 }
 
 int main(void) {
-    float own[NUMBERS] = {0.9f, -0.2f, 4.2f, 1.8f, 0.1f}, by[NUMBERS];
+    float own[NUMBERS] = {0.9f, -0.2f, 4.2f, 1.8f, 0.1f}, by[NUMBERS] = {0.0f};
     const float wanted = 0.5f;
     int step;
     for (step = 0; step < 100; step += 1) {

@@ -66,28 +66,32 @@ def main():
         sizes = [built(text, architecture, nvrtc) for architecture in ARCHITECTURES]
         found.append((name, form, sizes))
         print(name, form, *sizes, flush=True)
-    found.sort(key=lambda row: max((registers, spills) for registers, spills, _, _ in row[2]), reverse=True)
+        table = written(found, version, len(texts), without)
+        if not options.only:
+            FILE.write_text(table, encoding="utf-8")
+    print(table)
+
+
+def written(found, version, texts, without):
+    """The table of what was compiled."""
+    found = sorted(found, key=lambda row: max((registers, spills) for registers, spills, _, _ in row[2]), reverse=True)
     lines = [
-        f"Kernels of float32 by NVRTC {version} with --fmad=false: the {len(found)} longest of {len(texts)}.",
-        f"{sum(any(s[1] for s in row[2]) for row in found)} of them spill registers. Without a kernel: {', '.join(without) or 'none'}.",
-        f"Registers are those of a thread, spills bytes that a thread stores, code bytes of the whole image, seconds of one core.",
+        f"Kernels of float32 by NVRTC {version} with --fmad=false: the {len(found)} longest of {texts}.",
+        f"{sum(any(size[1] for size in row[2]) for row in found)} of them spill registers. Without a kernel: {', '.join(without) or 'none'}.",
+        "Registers are those of a thread, spills bytes that a thread stores, code bytes of the whole image, seconds of one core.",
         "",
-        f"{'row':<44} {'form':<6}" + "".join(f" | {x:>9} {'spills':>6} {'code':>8} {'s':>5}" for x in ARCHITECTURES),
+        f"{'row':<44} {'form':<6}" + "".join(f" | {x:>9} {'spills':>6} {'code':>8} {'s':>6}" for x in ARCHITECTURES),
     ]
     for name, form, sizes in found[:LARGEST]:
-        cells = "".join(f" | {r:>9} {s:>6} {c:>8} {t:>5.2f}" for r, s, c, t in sizes)
+        cells = "".join(f" | {r:>9} {s:>6} {c:>8} {t:>6.2f}" for r, s, c, t in sizes)
         lines.append(f"{name:<44} {form:<6}{cells}")
-    limits = (32, 64, 96, 128, 168, 255)
     lines += ["", "Kernels by registers on sm_90:"]
     low = 0
-    for limit in limits:
+    for limit in (32, 64, 96, 128, 168, 255):
         count = sum(low < row[2][1][0] <= limit for row in found)
         lines.append(f"    {low + 1:>3} to {limit:>3}: {count}")
         low = limit
-    text = "\n".join(lines) + "\n"
-    print(text)
-    if not options.only:
-        FILE.write_text(text, encoding="utf-8")
+    return "\n".join(lines) + "\n"
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 """Checks and measures kernels on a card of CUDA in one command, and writes a table.
 
-    python python/benches/cuda.py                 # on a card: sizes up to 10^6, a table in python/benches/cuda.md
-    python python/benches/cuda.py --processor     # without one: tiny sizes, kernels run on the processor, nothing is written
+    python python/benches/card.py                 # on a card: sizes up to 10^6, a table in python/benches/card.md
+    python python/benches/card.py --processor     # without one: tiny sizes, kernels run on the processor, nothing is written
 
 Every result is compared with the library's on the CPU: values and derivatives item by item, rows' maxima, pairs above a
 threshold, sums with gradients. Beside the kernels are torch's formula of the IoU (rotated_iou.py), eager and compiled, and
@@ -234,7 +234,7 @@ def main():
     pairs(table, side, device)
     volumes(table, of_space, device)
     if not options.processor:
-        (HERE / "cuda.md").write_text("\n".join([*head, *table.lines]) + "\n", encoding="utf-8")
+        (HERE / "card.md").write_text("\n".join([*head, *table.lines]) + "\n", encoding="utf-8")
     if table.failed:
         sys.exit(f"{table.failed} results differ from the library's")
 
