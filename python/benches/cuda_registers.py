@@ -1,5 +1,6 @@
 """Registers, spills and size of kernels of CUDA, by NVRTC, which needs no card: every straight line in float32, its value and its
-adjoint. `python python/benches/cuda_registers.py` writes python/benches/cuda_registers.txt; `--only WORD` takes verbs by their name and writes nothing.
+adjoint. `python python/benches/cuda_registers.py` writes python/benches/cuda_registers.txt; `--only WORD` takes verbs by
+their name and writes nothing, `--longest COUNT` the longest texts alone.
 
 It needs `pip install cuda-bindings nvidia-cuda-nvrtc`.
 """
