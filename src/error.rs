@@ -383,7 +383,7 @@ impl fmt::Display for Unrecordable {
                 "its shapes have whole numbers, such as a count of vertices: it has value and first derivatives only"
             }
             Unrecordable::Search => {
-                "it searches, as functions of polygons do: it has value and first derivatives only"
+                "it searches, as functions of polygons do: it has value and first derivatives only, and a program for each record"
             }
             Unrecordable::TooLong => "there are too many operations",
             Unrecordable::Name => "the name is reserved or not an identifier",

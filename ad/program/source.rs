@@ -24,6 +24,10 @@ pub(crate) trait Dialect {
     /// Returns the truth that a number is not NaN.
     fn is_number(&self, x: &str) -> String;
 
+    /// Returns an expression of one operation, rounded to the format where the language computes in a wider one.
+    fn rounded(&self, operation: String) -> String {
+        operation
+    }
     /// Returns a number of the input.
     fn input(&self, place: u32) -> String {
         format!("x[{place}]")
@@ -94,10 +98,10 @@ pub(crate) fn expression<D: Dialect>(dialect: &D, node: Node, known: &[String]) 
         Input(place) => dialect.input(place),
         Neg(x) => format!("-{}", v(x)),
         Canonical(x) => format!("{} + 0.0", v(x)),
-        Add(a, b) => between(a, "+", b),
-        Sub(a, b) => between(a, "-", b),
-        Mul(a, b) => between(a, "*", b),
-        Div(a, b) => between(a, "/", b),
+        Add(a, b) => dialect.rounded(between(a, "+", b)),
+        Sub(a, b) => dialect.rounded(between(a, "-", b)),
+        Mul(a, b) => dialect.rounded(between(a, "*", b)),
+        Div(a, b) => dialect.rounded(between(a, "/", b)),
         Min(a, b) => dialect.extreme(false, v(a), v(b)),
         Max(a, b) => dialect.extreme(true, v(a), v(b)),
         Magnitude(x) | Unsigned(x) => dialect.magnitude(v(x)),
@@ -140,7 +144,7 @@ fn shared<D: Dialect>(
     let (equals, half) = (D::SIGNS[0], dialect.shares()[1]);
     let tied = dialect.select(
         &format!("{a} {equals} {b}"),
-        &format!("{bar} * {half}"),
+        &dialect.rounded(format!("{bar} * {half}")),
         more,
     );
     dialect.select(&format!("{a} < {b}"), less, &tied)

@@ -272,10 +272,13 @@ impl<In: Fixed<Scalar = f32>, Out: Fixed<Scalar = f32>> Program<In, Out> {
     }
 }
 
-impl<In: Fixed<Scalar = f64>, Out: Fixed<Scalar = f64>> Program<In, Out> {
+impl<In: Fixed, Out: Fixed<Scalar = In::Scalar>> Program<In, Out>
+where
+    In::Scalar: Real,
+{
     /// Returns the program as a module of JavaScript that exports a function of this name: from a list of numbers to a
     /// list of numbers, in the order of the fields. It needs nothing else, and its results have the bits of
-    /// [`eval`](Program::eval).
+    /// [`eval`](Program::eval); one of `f32` rounds every result to 32 bits.
     ///
     /// ```
     /// use geograd::ad::program::{Program, Sym};
@@ -294,12 +297,6 @@ impl<In: Fixed<Scalar = f64>, Out: Fixed<Scalar = f64>> Program<In, Out> {
         let input = |i| In::name(i).to_string();
         Ok(javascript::module(name, &self.recorded, input))
     }
-}
-
-impl<In: Fixed, Out: Fixed<Scalar = In::Scalar>> Program<In, Out>
-where
-    In::Scalar: Real,
-{
     /// Returns the program as a function of C, `void NAME(const double *x, double *out)`, of `float` for `f32`: from
     /// numbers to numbers, in the order of the fields. It is C99 and C++, allocates nothing, calls `fabs`, `floor` and
     /// `sqrt` alone, and has the bits of [`eval`](Program::eval) if a compiler does not contract products and sums.

@@ -3,6 +3,8 @@
 //! A search yields a *record* of decisions: indices and small enums, never numbers. The result is computed from the
 //! input and the record by a straight line, which duals and batches replay. Between decisions the result is smooth.
 //! Derivatives belong to the branch taken, also where a decision changes.
+use crate::ad::program::record::record;
+use crate::ad::program::{Program, Sym};
 use crate::error::Error;
 use crate::kernels::call::modes::Function;
 use crate::kernels::call::recording::{self, Body, Call, Each, Recording};
@@ -11,7 +13,7 @@ use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::item::{Item, by_kind, by_shape, get, leaves_of, width, widths};
 use crate::kernels::row::once::known;
 use crate::kernels::row::op::{Hvp, Jacobian, Jvp, ValueGrad, Vjp};
-use crate::{Fixed, Jet, Pack, Scalar};
+use crate::{Fixed, Jet, Pack, Real, Scalar};
 use std::sync::Arc;
 
 /// The number of inputs per replay on duals. A larger one needs fewer replays with larger duals.
@@ -146,7 +148,7 @@ pub struct Searched<D>(std::marker::PhantomData<fn() -> D>);
 ///
 /// ```
 /// use geograd::kernels::op::{Declared, Declares, Jumps};
-/// use geograd::kernels::search::{Search, search};
+/// use geograd::kernels::search::{Search, replay, search};
 /// use geograd::kernels::Cpu;
 /// use geograd::{Scalar, Segment2, Vec2};
 ///
@@ -174,6 +176,10 @@ pub struct Searched<D>(std::marker::PhantomData<fn() -> D>);
 /// let points = [Vec2::new(1.0_f64, 2.0), Vec2::new(8.0, 1.0)];
 /// let segments = [Segment2::new(Vec2::new(0.0, 0.0), Vec2::new(9.0, 0.0)); 2];
 /// let cpu = Cpu::new();
+/// // The decision of one input, as a program that leaves the library.
+/// let text = replay(NearerEnd, (points[1], segments[1]))?.c("end")?;
+/// assert!(text.contains("void end(const double *x, double *out)"));
+///
 /// let (ends, by) = cpu.aligned(search(NearerEnd).jacobian(), (&points, &segments))?;
 /// assert_eq!(ends[1], Vec2::new(9.0, 0.0));
 /// assert_eq!(by[1].x.1.to.x, 1.0);
@@ -182,6 +188,21 @@ pub struct Searched<D>(std::marker::PhantomData<fn() -> D>);
 #[must_use]
 pub const fn search<D: Search>(_search: D) -> Searched<D> {
     Searched(std::marker::PhantomData)
+}
+
+/// Returns the replay of a search as a program, by the record that an input has. For an input of another record its
+/// decisions are wrong.
+///
+/// # Errors
+///
+/// [`Error::Program`] for shapes with whole numbers ([`Unrecordable::Codes`](crate::Unrecordable::Codes)), and those of
+/// recording it.
+pub fn replay<D: Search, T: Real>(
+    _search: D,
+    input: D::In<T>,
+) -> Result<Program<D::In<T>, D::Out<T>>, Error> {
+    let decided = D::decide::<T>(input);
+    record(|input: D::In<Sym<T>>| D::replay::<Sym<T>>(input, decided)).map(Program::of)
 }
 
 impl<D: Search> Searched<D> {

@@ -4,14 +4,14 @@ use super::described::{Shape, shapes, summary, verb_of};
 use super::forms::Function;
 use super::paths::{OnPaths, UntypedFold, fold_double, fold_single};
 use super::program::Program;
-use super::rows::{Layout, named};
+use super::rows::{Layout, Rows, named};
 use super::symbol::Symbol;
 use crate::ad::declared::Kind;
 use crate::ad::program::record::{TRIALS, listed};
 use crate::ad::sample::{Sample, Sampler};
 use crate::error::{Argument, Error, Unrecordable};
 use crate::kernels::call::modes::recording_of;
-use crate::kernels::call::recording::Recording;
+use crate::kernels::call::recording::{Body, Recording};
 use crate::kernels::call::search::{self, Search};
 use crate::kernels::gpu::line_sources;
 use crate::kernels::ops;
@@ -219,6 +219,49 @@ impl Operation {
         };
         let names = named(self.declared.arguments, recording.takes.len());
         Ok(Program::of_row(recorded, names, recording))
+    }
+
+    /// Returns the program of one input, a row per argument: a straight line as [`program`](Operation::program), and the
+    /// replay of a search by the record that the input has. The program takes the scalars of the shapes, without whole
+    /// numbers such as counts. For an input of the same record and the same whole numbers it has the bits of the search,
+    /// and its derivatives are programs again; for another one its decisions are wrong.
+    ///
+    /// ```
+    /// use geograd::kernels::dynamic::operation;
+    /// let diameter = operation("diameter_of_polygon").expect("is listed");
+    /// // Four of six corners, and their count.
+    /// let polygon = [0.0, 0.0, 3.0, 0.0, 3.0, 4.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 4.0];
+    /// let diagonal = diameter.replay::<f64>(&[&polygon])?;
+    /// assert_eq!(diagonal.eval(&polygon[..12])?, [5.0]);
+    /// assert!(diagonal.value_grad()?.c("diagonal")?.contains("void diagonal("));
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Program`] for folds ([`Unrecordable::Path`]), the errors of recording it, and those of
+    /// [`Function::aligned`] for an input.
+    pub fn replay<T: Real>(&self, input: &[&[T]]) -> Result<Program<T>, Error> {
+        let Some(function) = self.value::<T>() else {
+            return Err(self.not_a_program());
+        };
+        let rows: Vec<_> = input.iter().map(|row| Rows::new(row, row.len())).collect();
+        // Its errors are those of an input.
+        function.aligned(&rows)?;
+        let recording = function.recording;
+        let Body::Search(search) = &recording.body else {
+            return self.program();
+        };
+        let decided = search
+            .replays(Mode::Value)
+            .decide(&input.concat(), &mut Vec::new())?;
+        let leaves = recording.takes.iter().map(|leaf| leaf.without_codes());
+        let takes = function.names.into_iter().zip(leaves).collect();
+        Ok(Program::new(
+            (*decided).clone(),
+            takes,
+            recording.outputs.clone(),
+        ))
     }
 
     /// Returns a fold as a program, for paths of `vertices` vertices; their numbers follow the other arguments.

@@ -348,6 +348,16 @@ impl<T: Real> Program<T> {
 }
 
 impl<T: Real> Program<T> {
+    /// Returns the program as a module of JavaScript, as [`Program::javascript`](crate::Program::javascript).
+    ///
+    /// # Errors
+    ///
+    /// If the name is not an identifier, or has a meaning in JavaScript.
+    pub fn javascript(&self, name: &str) -> Result<String, Error> {
+        javascript::checked(name).map_err(Error::Program)?;
+        let input = |i| self.input(i);
+        Ok(javascript::module(name, &self.inner.recorded, input))
+    }
     /// Returns the program as a function of C, as [`Program::c`](crate::Program::c).
     ///
     /// # Errors
@@ -404,19 +414,6 @@ impl Program<f32> {
     pub fn wgsl(&self, name: &str) -> Result<String, Error> {
         wgsl::checked(name).map_err(Error::Program)?;
         Ok(wgsl::function(name, &self.inner.recorded))
-    }
-}
-
-impl Program<f64> {
-    /// Returns the program as a module of JavaScript, as [`Program::javascript`](crate::Program::javascript).
-    ///
-    /// # Errors
-    ///
-    /// If the name is not an identifier, or has a meaning in JavaScript.
-    pub fn javascript(&self, name: &str) -> Result<String, Error> {
-        javascript::checked(name).map_err(Error::Program)?;
-        let input = |i| self.input(i);
-        Ok(javascript::module(name, &self.inner.recorded, input))
     }
 }
 

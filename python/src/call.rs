@@ -181,18 +181,7 @@ impl Callable {
                 }
                 program
             }
-            _ => {
-                let value = self.program::<T>(Form::Value)?;
-                match form {
-                    Form::Value => value.clone(),
-                    Form::ValueGrad => value.value_grad().map_err(raised)?,
-                    Form::Vjp => value.vjp().map_err(raised)?,
-                    Form::Jvp => value.jvp(),
-                    Form::Hvp => value.hvp().map_err(raised)?,
-                    Form::Jacobian => value.jacobian().map_err(raised)?,
-                    Form::Hessian => value.hessian().map_err(raised)?,
-                }
-            }
+            _ => form.of(self.program::<T>(Form::Value)?)?,
         };
         Ok(kept.get_or_init(|| made))
     }

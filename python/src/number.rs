@@ -1,4 +1,5 @@
 //! The two formats of numbers, and the values made in each.
+use crate::raised;
 use geograd::Real;
 use geograd::kernels::dynamic::{Function, OnPaths, Program, Symbol};
 use numpy::Element;
@@ -33,6 +34,19 @@ impl Form {
         let form = Form::ALL.iter().find(|form| form.0 == name);
         form.map(|form| form.1)
             .ok_or_else(|| PyValueError::new_err(format!("no form is called {name}")))
+    }
+    /// Returns this form of a program.
+    pub fn of<T: Number>(self, value: &Program<T>) -> PyResult<Program<T>> {
+        let made = match self {
+            Form::Value => Ok(value.clone()),
+            Form::ValueGrad => value.value_grad(),
+            Form::Vjp => value.vjp(),
+            Form::Jvp => Ok(value.jvp()),
+            Form::Hvp => value.hvp(),
+            Form::Jacobian => value.jacobian(),
+            Form::Hessian => value.hessian(),
+        };
+        made.map_err(raised)
     }
 }
 

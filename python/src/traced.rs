@@ -183,6 +183,18 @@ impl Program {
         };
         Ok(Program { of })
     }
+    /// Returns a program of `float32`.
+    pub fn single(program: Of<f32>) -> Program {
+        Program {
+            of: InEither::Single(program),
+        }
+    }
+    /// Returns a program of `float64`.
+    pub fn double(program: Of<f64>) -> Program {
+        Program {
+            of: InEither::Double(program),
+        }
+    }
 }
 
 #[pymethods]
@@ -285,15 +297,10 @@ impl Program {
     fn cuda(&self, name: &str) -> PyResult<String> {
         either!(self, |program| program.cuda(name).map_err(raised))
     }
-    /// A module of JavaScript that exports the function, with the bits of the library; of float64 only.
+    /// A module of JavaScript that exports the function, with the bits of the library.
     #[pyo3(signature = (name="function_of"))]
     pub fn javascript(&self, name: &str) -> PyResult<String> {
-        match &self.of {
-            InEither::Double(program) => program.javascript(name).map_err(raised),
-            InEither::Single(_) => Err(PyTypeError::new_err(
-                "the numbers of JavaScript are float64: take the program of float64",
-            )),
-        }
+        either!(self, |program| program.javascript(name).map_err(raised))
     }
     fn __str__(&self) -> String {
         either!(self, |program| program.to_string())

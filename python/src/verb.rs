@@ -13,7 +13,7 @@ use crate::shapes::{Content, Paths, Shape, dressed_items};
 use crate::symbol::{Symbol, number};
 use crate::table::table;
 use crate::traced::{Program, listed};
-use geograd::kernels::dynamic::Sort;
+use geograd::kernels::dynamic::{Program as Replay, Sort};
 use numpy::{PyArray2, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyKeyError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
@@ -270,6 +270,34 @@ impl Verb {
             out,
             machine: Machine::named(backend)?,
         })
+    }
+    /// The program of a form for inputs like one item.
+    fn replayed<T: Number>(
+        &self,
+        py: Python<'_>,
+        row: &'static Row,
+        arguments: &[Object<'_>],
+        form: Form,
+    ) -> PyResult<Replay<T>> {
+        let (Some(operation), false) = (row.call.operation(), row.call.is_of_paths()) else {
+            // Which says why there is none.
+            return form.of(row.call.program::<T>(Form::Value)?);
+        };
+        let takes = &row.call.takes;
+        let call = self.call(py, row, arguments, None, None)?;
+        let lent = call.lent::<T>(call.given(takes)?, takes)?;
+        for (own, column) in lent.iter().zip(takes) {
+            if own.count() != 1 {
+                return Err(PyValueError::new_err(format!(
+                    "{}: a replay is of one item, not of {}",
+                    column.name,
+                    own.count()
+                )));
+            }
+        }
+        let numbers = lent.iter().map(|own| own.numbers());
+        let numbers = numbers.collect::<PyResult<Vec<_>>>()?;
+        form.of(&operation.replay::<T>(&numbers).map_err(raised)?)
     }
     /// The row of a form of two lists.
     fn row_of_pairs(
@@ -625,6 +653,24 @@ impl Verb {
             (Some(row), None) => Program::of(&row.call, form, double),
             _ => Err(self.refused(&[], "program", "kind= must name one row")),
         }
+    }
+    /// The operations of a form for inputs like one item: of a search its replay, by the decisions that it makes there.
+    #[pyo3(signature = (*arguments, kind=None, to=None, form="value", double=true))]
+    fn replay<'py>(
+        &self,
+        py: Python<'py>,
+        arguments: &Bound<'py, PyTuple>,
+        kind: Option<&Object<'py>>,
+        to: Option<&Object<'py>>,
+        form: &str,
+        double: bool,
+    ) -> PyResult<Program> {
+        let (arguments, form) = (listed(arguments), Form::named(form)?);
+        let row = self.row(&arguments, kind, to, "value")?;
+        Ok(match double {
+            true => Program::double(self.replayed(py, row, &arguments, form)?),
+            false => Program::single(self.replayed(py, row, &arguments, form)?),
+        })
     }
     /// A module of JavaScript that exports a form of a row, by the verb's name if none is given.
     #[pyo3(signature = (*, kind, to=None, form="value", name=None))]

@@ -1,5 +1,5 @@
 //! Programs as C and CUDA: compiled by the compilers of the system, with all warnings, they have the library's bits.
-use crate::written::{Case, cases, straight};
+use crate::written::{Case, cases, elementary, numbers, replays, searches, straight};
 use geograd::ad::program::{Program, Sym};
 use geograd::kernels::dynamic;
 use geograd::{Error, Obb2, Real, Scalar, Unrecordable, Vec2};
@@ -139,72 +139,12 @@ fn every_straight_line_has_its_bits_in_c() {
             folder.add_case(&case);
         }
     }
+    for row in searches().iter().step_by(share(8)) {
+        for case in replays::<f64>(row).iter().take(1) {
+            folder.add_case(case);
+        }
+    }
     folder.run("cc", &["-std=c99"]);
-}
-
-/// Numbers at the ends of a format, and many between: angles, exponents, subnormal ones.
-fn numbers<T: Real>() -> Vec<Vec<T>> {
-    let mut draw = geograd::ad::sample::Draw::new(5);
-    let largest = T::LARGEST;
-    let ends = [
-        0.0,
-        -0.0,
-        1.0,
-        -1.0,
-        largest,
-        1.0 / largest,
-        8e5,
-        800_000.1,
-        1.5e6,
-        1e22,
-    ];
-    let mut all: Vec<Vec<T>> = Vec::new();
-    for x in ends {
-        all.extend(ends.map(|y| vec![T::lit(x), T::lit(y)]));
-        all.extend(ends.map(|y| vec![T::lit(-x), T::lit(y)]));
-    }
-    let decades = largest.log10();
-    for i in 0..4000 {
-        let mut number = || {
-            let size = match i % 5 {
-                0 => draw.within(-1.0, 1.0),
-                1 => draw.within(-12.0, 12.0),
-                2 => draw.within(-decades, decades),
-                // Angles that the digits of 2/π reduce: some near a multiple of a quarter turn.
-                3 => return draw.within(5e5, 1e9).floor() * std::f64::consts::FRAC_PI_2,
-                _ => return draw.within(-800.0, 800.0),
-            };
-            10_f64.powf(size) * draw.within(-1.0, 1.0).signum()
-        };
-        let pair = [number(), number()];
-        all.push(pair.map(T::lit).to_vec());
-    }
-    all
-}
-
-/// All functions that a program may call.
-fn elementary<S: Scalar>([x, y]: [S; 2]) -> [S; 16] {
-    let [(sin_high, sin_low), (cos_high, cos_low)] = x.sin_cos_parts();
-    let (high, low) = x.parts();
-    let (sin, cos) = x.sin_cos();
-    [
-        sin_high,
-        sin_low,
-        cos_high,
-        cos_low,
-        high,
-        low,
-        sin,
-        cos,
-        y.atan2(x),
-        x.exp(),
-        x.ln(),
-        x.root(),
-        x.magnitude().binade(),
-        x.least(y),
-        x.most(y),
-        x.over(y),
-    ]
 }
 
 #[test]
@@ -247,6 +187,8 @@ fn a_function_has_what_it_needs_and_no_more() {
     );
     assert!(source.contains("program_rest_of_large"), "{source}");
     assert!(!source.contains("program_wide_exp"), "{source}");
+    let far = "static __device__ __noinline__ void program_far(";
+    assert!(turn.cuda("turn").unwrap().contains(far));
     for name in [
         "int",
         "float",

@@ -4,6 +4,7 @@
 
 #define __device__
 #define __global__
+#define __noinline__
 
 struct Place {
     unsigned x;

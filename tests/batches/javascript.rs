@@ -1,8 +1,7 @@
 //! Programs as JavaScript, run by Node: the bits of the library, of values and of derivatives.
-use crate::written::{cases, straight};
+use crate::written::{Case, cases, elementary, numbers, replays, searches, straight};
 use geograd::ad::program::{Program, Sym};
-use geograd::ad::sample::Draw;
-use geograd::{Error, Obb2, Scalar, Unrecordable, Vec2};
+use geograd::{Error, Obb2, Real, Scalar, Unrecordable, Vec2};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -23,10 +22,11 @@ impl Folder {
         }
     }
     /// Adds a module that exports `of`, with its inputs and the expected results.
-    fn add(&mut self, name: &str, module: &str, inputs: &[Vec<f64>], expected: &[Vec<f64>]) {
+    fn add<T: Real>(&mut self, name: &str, module: &str, inputs: &[Vec<T>], expected: &[Vec<T>]) {
         std::fs::write(self.path.join(format!("{name}.mjs")), module).unwrap();
         let numbers = inputs.iter().chain(expected).flatten();
-        let bytes: Vec<u8> = numbers.flat_map(|x| x.to_ne_bytes()).collect();
+        // As 64 bits, which hold the numbers of 32.
+        let bytes: Vec<u8> = numbers.flat_map(|x| x.widen().to_ne_bytes()).collect();
         std::fs::write(self.path.join(format!("{name}.bin")), bytes).unwrap();
         let comma = if self.cases.is_empty() { "" } else { "," };
         let (takes, gives, count) = (inputs[0].len(), expected[0].len(), inputs.len());
@@ -34,6 +34,12 @@ impl Folder {
             self.cases,
             "{comma}{{\"name\":\"{name}\",\"inputs\":{takes},\"outputs\":{gives},\"count\":{count}}}"
         );
+    }
+    /// Adds a program under a name of its own.
+    fn add_case<T: Real>(&mut self, case: &Case<T>) {
+        let name = format!("{}_{}", case.name, 8 * size_of::<T>());
+        let module = case.program.javascript("of").expect(&name);
+        self.add(&name, &module, &case.inputs, &case.expected);
     }
     /// Runs all modules and asserts that no result differs; without Node it says so.
     fn run(self) {
@@ -59,8 +65,24 @@ fn every_straight_line_has_its_bits_in_javascript() {
     let mut folder = Folder::new("rows");
     for row in straight() {
         for case in cases::<f64>(row) {
-            let module = case.program.javascript("of").expect(&case.name);
-            folder.add(&case.name, &module, &case.inputs, &case.expected);
+            folder.add_case(&case);
+        }
+        for case in cases::<f32>(row) {
+            folder.add_case(&case);
+        }
+    }
+    folder.run();
+}
+
+#[test]
+fn replays_of_searches_have_their_bits_in_javascript() {
+    let mut folder = Folder::new("replays");
+    for row in searches() {
+        for case in replays::<f64>(row) {
+            folder.add_case(&case);
+        }
+        for case in replays::<f32>(row) {
+            folder.add_case(&case);
         }
     }
     folder.run();
@@ -68,55 +90,16 @@ fn every_straight_line_has_its_bits_in_javascript() {
 
 #[test]
 fn elementary_functions_have_their_bits_in_javascript() {
-    let all = Program::trace(|[x, y]: [Sym<f64>; 2]| {
-        let [(sin_high, sin_low), (cos_high, cos_low)] = x.sin_cos_parts();
-        let (high, low) = x.parts();
-        let parts = [sin_high, sin_low, cos_high, cos_low, high, low];
-        let simple = [x.sin(), x.cos(), y.atan2(x), x.exp(), x.ln(), x.root()];
-        let others = [x.magnitude().binade(), x.least(y), x.most(y), x.over(y)];
-        (parts, simple, others)
-    })
-    .unwrap();
-    let mut draw = Draw::new(5);
-    let mut inputs: Vec<Vec<f64>> = Vec::new();
-    let ends = [
-        0.0,
-        -0.0,
-        1.0,
-        -1.0,
-        f64::MAX,
-        f64::MIN_POSITIVE,
-        5e-324,
-        8e5,
-        800_000.1,
-        1.5e6,
-    ];
-    for x in ends {
-        inputs.extend(ends.map(|y| vec![x, y]));
-        inputs.extend(ends.map(|y| vec![-x, y]));
+    fn add<T: Real>(folder: &mut Folder, name: &str) {
+        let all = Program::trace(elementary::<Sym<T>>).unwrap();
+        let inputs = numbers::<T>();
+        let results = inputs.iter().map(|x| all.eval([x[0], x[1]]).to_vec());
+        let expected: Vec<Vec<T>> = results.collect();
+        folder.add(name, &all.javascript("of").unwrap(), &inputs, &expected);
     }
-    for i in 0..4000 {
-        let mut number = || {
-            let size = match i % 5 {
-                0 => draw.within(-1.0, 1.0),
-                1 => draw.within(-12.0, 12.0),
-                2 => draw.within(-300.0, 300.0),
-                // Angles that the digits of 2/π reduce: some near a multiple of a quarter turn.
-                3 => return (draw.within(5e5, 1e9)).floor() * std::f64::consts::FRAC_PI_2,
-                _ => return draw.within(-800.0, 800.0),
-            };
-            let sign = draw.within(-1.0, 1.0).signum();
-            sign * Scalar::exp(size * std::f64::consts::LN_10)
-        };
-        inputs.push(vec![number(), number()]);
-    }
-    let flat = |x: &Vec<f64>| {
-        let (parts, simple, others) = all.eval([x[0], x[1]]);
-        [&parts[..], &simple[..], &others[..]].concat()
-    };
-    let expected: Vec<Vec<f64>> = inputs.iter().map(flat).collect();
     let mut folder = Folder::new("elementary");
-    folder.add("all", &all.javascript("of").unwrap(), &inputs, &expected);
+    add::<f64>(&mut folder, "wide");
+    add::<f32>(&mut folder, "single");
     folder.run();
 }
 
@@ -134,6 +117,13 @@ fn a_module_has_what_it_needs_and_no_more() {
         "{module}"
     );
     assert!(!module.contains("program_exp("), "{module}");
+    let single = Program::trace(|v: Obb2<Sym<f32>>| v.heading.sin()).unwrap();
+    let module = single.javascript("turn").unwrap();
+    assert!(module.contains("In 32-bit floats"), "{module}");
+    assert!(
+        module.contains("return Math.fround(program_wide_sin(x));"),
+        "{module}"
+    );
     for name in ["Math", "let", "await", "program_sin", "a b", "", "__x", "ä"] {
         let refused = turn.javascript(name).unwrap_err();
         assert_eq!(refused, Error::Program(Unrecordable::Name), "{name}");

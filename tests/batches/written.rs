@@ -1,7 +1,7 @@
 //! Cases for programs in other languages: inputs of rows, and the results that the library has for them.
-use geograd::Real;
 use geograd::ad::sample::Draw;
-use geograd::kernels::dynamic::{Mode, Program, Rows, Sort};
+use geograd::kernels::dynamic::{Layout, Mode, Program, Rows, Sort};
+use geograd::{Real, Scalar};
 use geograd_tests::list::{self, Tested, are_sampled, columns};
 
 /// Inputs of a row.
@@ -15,6 +15,13 @@ const ALWAYS: &[&str] = &[
     "iou_obb3",
     "signed_distance_obb2",
     "kullback_leibler_obb2",
+];
+
+/// Searches with clipping, with a record, and with a result of several numbers.
+const SEARCHES: &[&str] = &[
+    "intersection_area_polygons",
+    "diameter_of_polygon",
+    "circle_around_polygon",
 ];
 
 /// A program, inputs of it, and their results.
@@ -97,4 +104,121 @@ pub fn straight() -> Vec<&'static Tested> {
     let chosen = are_sampled(all.iter().map(|row| row.name()).collect(), ALWAYS);
     all.retain(|row| chosen.contains(row.name()));
     all
+}
+
+/// Returns the replays of a search at inputs of it, with their derivatives: each program has one input, and the result
+/// that the search has for it.
+pub fn replays<T: Real>(row: &Tested) -> Vec<Case<T>> {
+    let (operation, name) = (&row.operation, row.name());
+    let inputs = list::inputs::<T>(row, 3, |draw| row.random(draw));
+    let layouts = operation.layouts::<T>();
+    let mode = match list::outputs(row) {
+        1 => Mode::ValueGrad,
+        _ => Mode::Value,
+    };
+    let function = operation.function::<T>(mode).expect(name);
+    let one = |(i, input): (usize, &Vec<T>)| {
+        let lists = columns(row, std::slice::from_ref(input));
+        let rows = lists.iter().zip(&layouts);
+        let rows: Vec<_> = rows.map(|(x, own)| Rows::new(x, own.fields())).collect();
+        let found = function.aligned(&rows).expect(name);
+        let slices: Vec<&[T]> = lists.iter().map(Vec::as_slice).collect();
+        let replay = operation.replay::<T>(&slices).expect(name);
+        let program = match mode {
+            Mode::ValueGrad => replay.value_grad().expect(name),
+            _ => replay,
+        };
+        // A program takes and gives scalars alone.
+        let scalars = |x: &[T], own: &Layout<T>| x[..own.fields() - own.codes()].to_vec();
+        let taken = lists.iter().zip(&layouts).map(|(x, own)| scalars(x, own));
+        let taken: Vec<T> = taken.flatten().collect();
+        let (value, gradients) =
+            found.split_at(found.len() - layouts.len() * usize::from(mode == Mode::ValueGrad));
+        let gradients = gradients
+            .iter()
+            .zip(&layouts)
+            .map(|(x, own)| scalars(x, own));
+        let expected = value.iter().cloned().chain(gradients).flatten().collect();
+        Case {
+            name: format!("{name}_replay_{i}"),
+            program,
+            inputs: vec![taken],
+            expected: vec![expected],
+        }
+    };
+    inputs.iter().enumerate().map(one).collect()
+}
+
+/// Returns the searches, of which a test takes some.
+pub fn searches() -> Vec<&'static Tested> {
+    let mut all = list::rows();
+    all.retain(|row| row.operation.sort == Sort::Search);
+    let chosen = are_sampled(all.iter().map(|row| row.name()).collect(), SEARCHES);
+    all.retain(|row| chosen.contains(row.name()));
+    all
+}
+
+/// Numbers at the ends of a format, and many between: angles, exponents, subnormal ones.
+pub fn numbers<T: Real>() -> Vec<Vec<T>> {
+    let mut draw = Draw::new(5);
+    let largest = T::LARGEST;
+    let ends = [
+        0.0,
+        -0.0,
+        1.0,
+        -1.0,
+        largest,
+        1.0 / largest,
+        8e5,
+        800_000.1,
+        1.5e6,
+        1e22,
+    ];
+    let mut all: Vec<Vec<T>> = Vec::new();
+    for x in ends {
+        all.extend(ends.map(|y| vec![T::lit(x), T::lit(y)]));
+        all.extend(ends.map(|y| vec![T::lit(-x), T::lit(y)]));
+    }
+    let decades = largest.log10();
+    for i in 0..4000 {
+        let mut number = || {
+            let size = match i % 5 {
+                0 => draw.within(-1.0, 1.0),
+                1 => draw.within(-12.0, 12.0),
+                2 => draw.within(-decades, decades),
+                // Angles that the digits of 2/π reduce: some near a multiple of a quarter turn.
+                3 => return draw.within(5e5, 1e9).floor() * std::f64::consts::FRAC_PI_2,
+                _ => return draw.within(-800.0, 800.0),
+            };
+            10_f64.powf(size) * draw.within(-1.0, 1.0).signum()
+        };
+        let pair = [number(), number()];
+        all.push(pair.map(T::lit).to_vec());
+    }
+    all
+}
+
+/// All functions that a program may call.
+pub fn elementary<S: Scalar>([x, y]: [S; 2]) -> [S; 16] {
+    let [(sin_high, sin_low), (cos_high, cos_low)] = x.sin_cos_parts();
+    let (high, low) = x.parts();
+    let (sin, cos) = x.sin_cos();
+    [
+        sin_high,
+        sin_low,
+        cos_high,
+        cos_low,
+        high,
+        low,
+        sin,
+        cos,
+        y.atan2(x),
+        x.exp(),
+        x.ln(),
+        x.root(),
+        x.magnitude().binade(),
+        x.least(y),
+        x.most(y),
+        x.over(y),
+    ]
 }

@@ -9,6 +9,7 @@ mod arm_clearance;
 mod assign;
 mod calibrate;
 mod custom_shape;
+mod embedded;
 mod first;
 #[cfg(feature = "gpu")]
 mod gpu_batch;

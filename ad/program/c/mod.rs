@@ -3,22 +3,21 @@
 //! The text is C99 and C++ at once, calls no library but `fabs`, `floor` and `sqrt` of `math.h`, and allocates nothing.
 //! Elementary functions are the formulas of `src/scalar/`, recorded as programs and printed. A compiler must not
 //! contract products and sums (`-ffp-contract=off`, which `-std=c99` implies in GCC; `--fmad=false` for CUDA).
-use super::blocks::{Block, formula, needed, wrapped};
+use super::blocks::{Block, Functions, elementary, needed, wrapped};
 use super::graph::{Format, Node};
-use super::record::Listed;
 use super::recorded::Recorded;
 use super::source::{self, Dialect, expression, lines};
 use crate::Unrecordable;
-use crate::scalar::arc_tangent::{atan2_single, atan2_wide};
-use crate::scalar::exponential::{
-    LN_SERIES, LN_SERIES_SHORT, exp_parts, exp_parts_short, ln_from, normal,
-};
-use crate::scalar::float::{REDUCED, sin_cos_reduced, sin_cos_short};
+use crate::scalar::float::REDUCED;
 use std::fmt::Write;
 use std::sync::LazyLock;
 
 /// The words that C, C++ and CUDA keep for themselves, and those with a meaning in the text of a program.
 const RESERVED: &str = include_str!("reserved.txt");
+
+/// The function for angles beyond 800000. In place of every sine and cosine it makes a kernel of CUDA three times as
+/// long, and NVRTC takes six times as long.
+const RARE: &str = "void program_far(";
 
 /// A language with the grammar of C.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,7 +59,7 @@ pub(crate) fn function(name: &str, recorded: &Recorded, input: impl Fn(usize) ->
         #include <math.h>\n#include <string.h>\n\n\
         #ifdef __cplusplus\nextern \"C\" {\n#endif\n\n"
         .to_owned();
-    body(Language::C, "", name, recorded, input, &mut text);
+    body(Language::C, name, recorded, input, &mut text);
     text.push_str("\n#ifdef __cplusplus\n}\n#endif\n");
     text
 }
@@ -80,14 +79,7 @@ pub(crate) fn kernel(
     let (takes, results) = (recorded.inputs, recorded.value.outputs.len());
     let mut text =
         "// Written by geograd. Compile it without contraction: --fmad=false.\n\n".to_owned();
-    body(
-        Language::Cuda,
-        "static ",
-        "program_of_row",
-        recorded,
-        input,
-        &mut text,
-    );
+    body(Language::Cuda, "program_of_row", recorded, input, &mut text);
     let _ = write!(
         text,
         "\nextern \"C\" __global__ void {name}(long long count, long long inner"
@@ -151,7 +143,6 @@ fn comment(recorded: &Recorded, input: impl Fn(usize) -> String) -> String {
 /// Writes the declarations that a program needs, and its function.
 fn body(
     language: Language,
-    qualifier: &str,
     name: &str,
     recorded: &Recorded,
     input: impl Fn(usize) -> String,
@@ -168,7 +159,12 @@ fn body(
     for (i, &x) in outputs.iter().enumerate() {
         let _ = writeln!(code, "    out[{i}] = {};", known[x as usize]);
     }
-    let zero = C::zero(graph.format);
+    // A kernel calls its function, and others call that of C.
+    let qualifier = match language {
+        Language::C => "",
+        Language::Cuda => "static ",
+    };
+    let [zero, _] = dialect.shares();
     // NaN in, NaN out, by the sum that `Guard` has.
     let function = format!(
         "{}{qualifier}void {name}(const {kind} *x, {kind} *out) {{\n\
@@ -189,6 +185,9 @@ fn body(
         // Functions and tables of the device.
         Language::Cuda => {
             let device = all.lines().map(|line| match line.strip_prefix("static ") {
+                Some(rest) if rest.starts_with(RARE) => {
+                    format!("static __device__ __noinline__ {rest}\n")
+                }
                 Some(rest) => format!("static __device__ {rest}\n"),
                 None => format!("{line}\n"),
             });
@@ -223,7 +222,7 @@ fn prelude(language: Language, format: Format) -> &'static [Block] {
                 split(bits),
                 split(include_str!("wide.c")),
                 split(simple),
-                elementary(format),
+                elementary::<C<'_>>(format),
                 split(parts),
             ];
             let blocks = texts.into_iter().flatten();
@@ -239,123 +238,27 @@ fn declared(line: &str) -> Option<&str> {
     rest.split(['(', '[']).next()?.rsplit(' ').next()
 }
 
-/// Returns the elementary functions of `double`, recorded from the formulas that the library computes numbers of a
-/// format with.
-fn elementary(format: Format) -> Vec<String> {
-    let short = format == Format::F32;
-    let prefix = if short { "program_wide_" } else { "program_" };
-    let far = |part: usize| {
-        format!(
-            "    if (!(fabs(x) <= {REDUCED:?})) {{\n        double far[2];\n        program_far(x, far);\n        \
-             return far[{part}];\n    }}\n"
-        )
-    };
-    let one = |results: &[String]| results[0].clone();
-    let sin_cos = |x: super::Sym<f64>| match short {
-        true => sin_cos_short(x),
-        false => sin_cos_reduced(x),
-    };
-    let power_of_two = |k: &str| format!("program_power_of_two({k})");
-    let name = |of: &str| format!("{prefix}{of}");
-    vec![
-        double(
-            ("The sine.", &name("sin"), &["x"]),
-            &far(0),
-            &|x| vec![sin_cos(x[0]).0],
-            &one,
-        ),
-        double(
-            ("The cosine.", &name("cos"), &["x"]),
-            &far(1),
-            &|x| vec![sin_cos(x[0]).1],
-            &one,
-        ),
-        double(
-            (
-                "The angle of the vector (x, y); of the zero vector 0.",
-                &name("atan2"),
-                &["y", "x"],
-            ),
-            "",
-            &|yx| match short {
-                true => vec![atan2_single(yx[0], yx[1])],
-                false => vec![atan2_wide(yx[0], yx[1])],
-            },
-            &one,
-        ),
-        double(
-            ("The exponential.", &name("exp"), &["x"]),
-            "    if (x != x) {\n        return x;\n    }\n",
-            &|x| match short {
-                true => exp_parts_short(x[0]).to_vec(),
-                false => exp_parts(x[0]).to_vec(),
-            },
-            &|results| {
-                let powers = results[1..].iter().map(|k| power_of_two(k));
-                let factors: Vec<_> = std::iter::once(results[0].clone()).chain(powers).collect();
-                factors.join(" * ")
-            },
-        ),
-        double(
-            (
-                "The number, or 2^54 times it if it is subnormal.",
-                "program_normal",
-                &["x"],
-            ),
-            "",
-            &|x| vec![normal(x[0])],
-            &one,
-        ),
-        double(
-            (
-                "The logarithm of x, with the exponent and the significand of its normal number.",
-                "program_ln_from",
-                &["x", "exponent", "significand"],
-            ),
-            "",
-            &|x| match short {
-                true => vec![ln_from(x[0], x[1], x[2], LN_SERIES_SHORT)],
-                false => vec![ln_from(x[0], x[1], x[2], LN_SERIES)],
-            },
-            &one,
-        ),
-        format!(
-            "// The natural logarithm.\nstatic double {prefix}ln(double x) {{\n\
-             \x20   const double normal = program_normal(x);\n\
-             \x20   return program_ln_from(x, program_exponent(normal), program_significand(normal));\n}}"
-        ),
-    ]
-}
-
-/// Returns a function of `double`, recorded from a formula of the library; `result` makes its result of the formula's.
-fn double(
-    (about, name, takes): (&str, &str, &[&str]),
-    start: &str,
-    recorded: Listed<'_, f64>,
-    result: &dyn Fn(&[String]) -> String,
-) -> String {
-    let dialect = C {
-        format: Format::F64,
-        takes,
-    };
-    let (code, results) = formula(&dialect, takes.len(), recorded);
-    let takes: Vec<_> = takes.iter().map(|name| format!("double {name}")).collect();
-    let (takes, result) = (takes.join(", "), result(&results));
-    format!("// {about}\nstatic double {name}({takes}) {{\n{start}{code}    return {result};\n}}")
-}
-
 /// The language for a format, with names for the numbers of an input; without names they are those of an array `x`.
 struct C<'a> {
     format: Format,
     takes: &'a [&'a str],
 }
 
-impl C<'_> {
-    fn zero(format: Format) -> &'static str {
-        match format {
-            Format::F32 => "0.0f",
-            Format::F64 => "0.0",
-        }
+impl Functions for C<'_> {
+    type Of = C<'static>;
+    fn dialect(takes: &'static [&'static str]) -> C<'static> {
+        let format = Format::F64;
+        C { format, takes }
+    }
+    fn head(name: &str, takes: &[&str]) -> String {
+        let takes: Vec<_> = takes.iter().map(|name| format!("double {name}")).collect();
+        format!("static double {name}({})", takes.join(", "))
+    }
+    fn far(part: usize) -> String {
+        format!(
+            "    if (!(fabs(x) <= {REDUCED:?})) {{\n        double far[2];\n        program_far(x, far);\n        \
+             return far[{part}];\n    }}\n"
+        )
     }
 }
 
@@ -423,7 +326,7 @@ impl Dialect for C<'_> {
     fn value(&self, _id: usize, node: Node, known: &[String]) -> String {
         match node {
             Node::Bool(truth) => u8::from(truth).to_string(),
-            Node::Canonical(x) => format!("{} + {}", known[x as usize], Self::zero(self.format)),
+            Node::Canonical(x) => format!("{} + {}", known[x as usize], self.shares()[0]),
             _ => expression(self, node, known),
         }
     }

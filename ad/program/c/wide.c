@@ -32,7 +32,7 @@ static const double program_half_pi[5] = {
 // copy, modify, and distribute this software is freely granted, provided that this notice is preserved.)
 static int program_rest_of_large(double angle, double rest[2]) {
     const int exponent = (int)program_exponent(angle) - 23;
-    double x[3], q[20], parts[20], products[20], unit, sum;
+    double x[3], q[20], parts[20], products[20] = {0.0}, unit, sum;
     int digits[20], last = 2, top = 4, turns = 0, sign = 0, zero, i, j, k;
     // The angle in parts of 24 bits.
     double z = program_significand(angle) * 8388608.0;

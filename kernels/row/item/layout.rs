@@ -78,6 +78,16 @@ impl<T: Real> Leaf<T> {
             rules: &[],
         }
     }
+    /// Returns the layout of the scalars alone; beside codes they belong to no shape.
+    pub(crate) fn without_codes(self) -> Self {
+        match self.codes {
+            0 => self,
+            codes => Leaf {
+                name: self.name,
+                ..Leaf::numbers(self.fields - codes)
+            },
+        }
+    }
     /// Returns this layout with the condition that quadrilaterals are convex.
     pub(crate) fn convex(self) -> Self {
         Leaf {

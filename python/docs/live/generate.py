@@ -9,6 +9,7 @@ The files belong to the tree, so that the page needs no build. A test compares t
 import inspect
 import json
 import pathlib
+import re
 import sys
 import textwrap
 
@@ -134,8 +135,26 @@ def modules():
         lines += [f"        {key}: {literal(value)}," for key, value in field.items()]
         lines.append(f"        of: {field['name']},\n    }},")
     lines.append("];\n")
+    files = shared(files)
     files["fields.js"] = "\n".join(lines)
     return files
+
+
+def shared(files):
+    """Modules that import the functions that programs call, and one module with all of these."""
+    known, modules = {}, {}
+    for file, text in files.items():
+        head, *blocks, own = text.split("\n\n")
+        # What blocks declare, and what each of them and the module's own function call.
+        for block in blocks:
+            for name in re.findall(r"^(?:function|const) (program_\w+)", block, re.M):
+                assert known.setdefault(name, block) == block, name
+        called = sorted(set(re.findall(r"program_\w+", own)))
+        imported = [f'import {{ {", ".join(called)} }} from "./program.js";'] if called else []
+        modules[file] = "\n\n".join([head, *imported, own])
+    blocks = [re.sub(r"^(function|const) program_", r"export \1 program_", block, flags=re.M) for block in dict.fromkeys(known.values())]
+    modules["program.js"] = "\n\n".join(["// Written by geograd: what programs in 64-bit floats call.", *blocks]) + "\n"
+    return modules
 
 
 def literal(value):

@@ -1,44 +1,113 @@
 """Nodes on CUDA tensors: the library writes a kernel, NVRTC compiles it, and it runs on torch's current stream.
 
 A kernel reads the rows of its arguments where they are, strided or broadcast, and writes new tensors on their device. It
-checks no shape: invalid rows have results without a meaning, rows with NaN have NaN. Compiled kernels are kept on disk, by
-text, options and architecture, in ``GEOGRAD_CACHE`` or the user's folder of caches.
+checks no shape: invalid rows have results without a meaning, rows with NaN have NaN.
 """
 
 from __future__ import annotations
 
 import ctypes
-import hashlib
 import math
-import os
-import pathlib
-import tempfile
-from typing import Any, Callable, Optional
+from typing import Any, Callable, Optional, Sequence
 
+import numpy as np
 import torch
 
-_THREADS = 128
-#: Contracted products and sums have other bits than the library's.
-_OPTIONS = ("--fmad=false",)
-_NAME = "geograd_rows"
+from ._cuda_kernels import Kernel, Unavailable, loaded, text_of
+from ._cuda_pairs import List, Pairs, Ranges
+
+__all__ = ["Unavailable", "above", "computed", "count_above", "is_there", "most", "pulled_back", "source_of", "total"]
 
 
-class Unavailable(RuntimeError):
-    """CUDA tensors need what is not there."""
+class _Card:
+    """What torch says of a card."""
+
+    def is_there(self, x: torch.Tensor) -> bool:
+        return x.is_cuda
+
+    def entered(self, device: torch.device) -> Any:
+        return torch.cuda.device(device)
+
+    def architecture(self, device: torch.device) -> str:
+        # The context of torch is the current one from here on.
+        torch.cuda.current_stream(device).synchronize()
+        major, minor = torch.cuda.get_device_capability(device)
+        return f"sm_{major}{minor}"
+
+    def stream(self, device: torch.device) -> int:
+        return int(torch.cuda.current_stream(device).cuda_stream)
+
+    def keep(self, x: torch.Tensor, device: torch.device) -> None:
+        x.record_stream(torch.cuda.current_stream(device))
+
+
+#: Tests put another one in its place.
+card = _Card()
+
+
+def is_there(x: torch.Tensor) -> bool:
+    """Whether a tensor is on a card."""
+    return card.is_there(x)
+
+
+class _Tensors:
+    """The space of tensors of one device and format."""
+
+    _KINDS = {"double": torch.float64, "place": torch.int64}
+
+    def __init__(self, like: torch.Tensor) -> None:
+        self._device, self._dtype = like.device, like.dtype
+        self.number = "double" if like.dtype == torch.float64 else "float"
+
+    def new(self, size: Sequence[int], kind: str) -> torch.Tensor:
+        return torch.empty(tuple(size), dtype=self._KINDS.get(kind, self._dtype), device=self._device)
+
+    def address(self, x: torch.Tensor) -> int:
+        return x.data_ptr()
+
+    def kernel(self, node: Any, key: Any, text: Callable[[], str]) -> Kernel:
+        key = ("cuda", self._dtype, self._device, key)
+        kernel = node.kept.get(key)
+        if kernel is None:
+            with card.entered(self._device):
+                kernel = loaded(text(), card.architecture(self._device))
+            node.kept[key] = kernel
+        found: Kernel = kernel
+        return found
+
+    def run(self, kernel: Kernel, threads: int, arguments: Sequence[tuple[Any, Any]]) -> None:
+        with card.entered(self._device):
+            kernel(threads, card.stream(self._device), arguments)
+
+    def starts(self, counts: torch.Tensor) -> tuple[torch.Tensor, int]:
+        if counts.numel() == 0:
+            return counts, 0
+        ends = counts.reshape(-1).cumsum(0)
+        return ends - counts.reshape(-1), int(ends[-1])
 
 
 def computed(node: Any, xs: Any, lead: Any) -> list[torch.Tensor]:
     """The results of a node, as new tensors on the device of its arguments."""
-    device, dtype = xs[0].device, xs[0].dtype
-    sizes = [(*lead, width) if width else tuple(lead) for width in node.gives]
-    outs = [torch.empty(size, dtype=dtype, device=device) for size in sizes]
+    space = _Tensors(xs[0])
+    outs = [space.new((*lead, width) if width else tuple(lead), "number") for width in node.gives]
     count = math.prod(lead)
     if count:
         inner = lead[-1] if len(lead) > 1 else 1
         columns = [_rows(x, lead, inner, width) for (_, _, width), x in zip(node.takes, xs)]
-        kernel = kernel_of(node, dtype, device)
-        kernel(device, count, inner, columns, outs)
+        kernel = space.kernel(node, "rows", lambda: source_of(node, xs[0].dtype))
+        arguments: list[tuple[Any, Any]] = [(count, ctypes.c_longlong), (inner, ctypes.c_longlong)]
+        for column, step, within in columns:
+            arguments += [(column.data_ptr(), ctypes.c_void_p), (step, ctypes.c_longlong), (within, ctypes.c_longlong)]
+        arguments += [(out.data_ptr(), ctypes.c_void_p) for out in outs]
+        space.run(kernel, count, arguments)
+        _keep(column for column, _, _ in columns)
     return outs
+
+
+def _keep(columns: Any) -> None:
+    """Memory of a copied column is not given to others before the kernel has read it."""
+    for column in columns:
+        card.keep(column, column.device)
 
 
 def _rows(x: torch.Tensor, lead: Any, inner: int, width: int) -> tuple[torch.Tensor, int, int]:
@@ -51,126 +120,78 @@ def _rows(x: torch.Tensor, lead: Any, inner: int, width: int) -> tuple[torch.Ten
     return x, x.stride(0), x.stride(1)
 
 
-def kernel_of(node: Any, dtype: torch.dtype, device: torch.device) -> Callable[..., None]:
-    """The kernel of a node for a format and a device, compiled at the first call."""
-    key = ("cuda", dtype, device)
-    kernel = node.kept.get(key)
-    if kernel is None:
-        kernel = node.kept[key] = _made(source_of(node, dtype), _NAME, device)
-    return kernel
-
-
 def source_of(node: Any, dtype: torch.dtype) -> str:
     """The text of the kernel of a node."""
-    try:
-        program = node.base.program(node.form, dtype == torch.float64)
-    except (TypeError, ValueError) as error:
-        raise Unavailable(
-            f"{node.name} has no kernel for CUDA: {error}. Move its tensors with .cpu(), and the result back; gradients follow"
-        ) from error
-    return str(program.cuda(_NAME))
+    return text_of(node, node.form, dtype == torch.float64)
 
 
-class _Kernel:
-    """A kernel that a driver has loaded."""
-
-    def __init__(self, driver: Any, function: Any) -> None:
-        self._driver, self._function = driver, function
-
-    def __call__(self, device: torch.device, count: int, inner: int, columns: Any, outs: Any) -> None:
-        values: list[Any] = [count, inner]
-        types: list[Any] = [ctypes.c_longlong, ctypes.c_longlong]
-        for column, step, within in columns:
-            values += [column.data_ptr(), step, within]
-            types += [ctypes.c_void_p, ctypes.c_longlong, ctypes.c_longlong]
-        values += [out.data_ptr() for out in outs]
-        types += [ctypes.c_void_p] * len(outs)
-        blocks = -(-count // _THREADS)
-        with torch.cuda.device(device):
-            stream = torch.cuda.current_stream(device)
-            _checked(
-                self._driver.cuLaunchKernel(
-                    self._function, blocks, 1, 1, _THREADS, 1, 1, 0, stream.cuda_stream, (tuple(values), tuple(types)), 0
-                )
-            )
-        # Memory of a copied column is not given to others before the kernel has read it.
-        for column, _, _ in columns:
-            column.record_stream(stream)
+def _pairs(node: Any, a: torch.Tensor, b: torch.Tensor, own: int = 0, groups: Any = None) -> tuple[Pairs, list[torch.Tensor]]:
+    """All pairs of two lists, and the tensors that kernels read."""
+    lists = []
+    for x, (_, _, width) in zip((a, b), node.takes):
+        rows, step, _ = _rows(x, (x.shape[0],), 1, width)
+        lists.append(List(rows, x.shape[0], step, max(width, 1)))
+    ranges = _ranges(groups, own, [x.count for x in lists], a.device)
+    return Pairs(_Tensors(a), node, lists, own, ranges), [*(x.array for x in lists), *(ranges or ())]
 
 
-def _made(source: str, name: str, device: torch.device) -> _Kernel:
-    """Compiles and loads a kernel."""
-    driver, nvrtc = _bindings()
-    with torch.cuda.device(device):
-        # The context of torch is the current one from here on.
-        torch.cuda.current_stream(device).synchronize()
-        major, minor = torch.cuda.get_device_capability(device)
-        image = compiled(source, f"sm_{major}{minor}", nvrtc)
-        (module,) = _checked(driver.cuModuleLoadData(image))
-        (function,) = _checked(driver.cuModuleGetFunction(module, name.encode()))
-    return _Kernel(driver, function)
+def _ranges(groups: Any, own: int, counts: Sequence[int], device: torch.device) -> Ranges:
+    """The first row and the one after the last row of the others, of every own row, by the offsets of both lists."""
+    if groups is None:
+        return None
+    offsets = [np.asarray(x, np.int64) for x in groups]
+    for name, x, count in zip("ab", offsets, counts):
+        if x.ndim != 1 or len(x) != len(offsets[0]) or len(x) == 0 or x[0] != 0 or x[-1] != count or (np.diff(x) < 0).any():
+            raise ValueError(f"groups: the offsets of `{name}` must rise from 0 to {count}, as many as of the other list")
+    sizes, others = np.diff(offsets[own]), offsets[1 - own]
+    upload = lambda x: torch.from_numpy(np.repeat(x, sizes)).to(device)
+    return upload(others[:-1]), upload(others[1:])
 
 
-def compiled(source: str, architecture: str, nvrtc: Optional[Any] = None) -> bytes:
-    """The machine code of a kernel, from the disk or by NVRTC."""
-    nvrtc = nvrtc or _bindings()[1]
-    options = [f"--gpu-architecture={architecture}", *_OPTIONS]
-    (major, minor) = _checked(nvrtc.nvrtcVersion())
-    key = hashlib.sha256("\0".join([source, *options, f"{major}.{minor}"]).encode()).hexdigest()
-    kept = _folder() / f"{key}.cubin"
-    try:
-        return kept.read_bytes()
-    except OSError:
-        pass
-    (program,) = _checked(nvrtc.nvrtcCreateProgram(source.encode(), b"geograd.cu", 0, [], []))
-    try:
-        texts = [option.encode() for option in options]
-        if int(nvrtc.nvrtcCompileProgram(program, len(texts), texts)[0]):
-            (size,) = _checked(nvrtc.nvrtcGetProgramLogSize(program))
-            log = b" " * size
-            _checked(nvrtc.nvrtcGetProgramLog(program, log))
-            raise Unavailable(f"NVRTC refuses a kernel: {log.decode(errors='replace')}")
-        (size,) = _checked(nvrtc.nvrtcGetCUBINSize(program))
-        image = b" " * size
-        _checked(nvrtc.nvrtcGetCUBIN(program, image))
-    finally:
-        nvrtc.nvrtcDestroyProgram(program)
-    _keep(kept, image)
-    return image
+def most(node: Any, a: torch.Tensor, b: torch.Tensor, own: int, sign: str, groups: Any) -> tuple[Any, Any]:
+    """The extreme result of every row of the list ``own``, and its place in the other one."""
+    pairs, read = _pairs(node, a, b, own, groups)
+    found = pairs.extreme(sign)
+    _keep(read)
+    return found
 
 
-def _folder() -> pathlib.Path:
-    """The folder of compiled kernels."""
-    own = os.environ.get("GEOGRAD_CACHE")
-    if own:
-        return pathlib.Path(own)
-    base = os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA")
-    return (pathlib.Path(base) if base else pathlib.Path.home() / ".cache") / "geograd"
+def above(node: Any, a: torch.Tensor, b: torch.Tensor, sign: str, threshold: float, groups: Any) -> tuple[Any, Any, Any]:
+    """Every pair beyond a threshold."""
+    pairs, read = _pairs(node, a, b, 0, groups)
+    found = pairs.found(sign, threshold)
+    _keep(read)
+    return found
 
 
-def _keep(path: pathlib.Path, image: bytes) -> None:
-    """Writes a file as a whole or not at all; a folder that cannot be written keeps nothing."""
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.NamedTemporaryFile(dir=path.parent, delete=False) as file:
-            file.write(image)
-        os.replace(file.name, path)
-    except OSError:
-        pass
+def count_above(node: Any, a: torch.Tensor, b: torch.Tensor, sign: str, threshold: float) -> int:
+    """How many pairs are beyond a threshold."""
+    return _pairs(node, a, b)[0].count(sign, threshold)
 
 
-def _bindings() -> tuple[Any, Any]:
-    """NVIDIA's driver and its compiler, by the package that comes with torch for CUDA."""
-    try:
-        from cuda.bindings import driver, nvrtc
-    except ImportError as error:
-        raise Unavailable("CUDA tensors need the package cuda-bindings, which torch for CUDA depends on") from error
-    return driver, nvrtc
+def total(node: Any, a: torch.Tensor, b: torch.Tensor, factor: float, with_gradients: bool) -> tuple[Any, Optional[list[Any]]]:
+    """The sum of all pairs times a factor, and its gradients by both lists."""
+    pairs, read = _pairs(node, a, b)
+    if not with_gradients:
+        sum_, gradients = pairs.total(factor), None
+    else:
+        widths = [max(width, 1) for _, _, width in node.takes]
+        gives = [1, *widths]
+        by_a = pairs.sums("value_grad", gives, 1, widths[0], factor)
+        by_b = _pairs(node, a, b, 1)[0].sums("value_grad", gives, 1 + widths[0], widths[1], factor)
+        sum_, gradients = pairs.total(factor), [by_a.reshape(a.shape), by_b.reshape(b.shape)]
+    _keep(read)
+    return sum_.reshape(()), gradients
 
 
-def _checked(results: Any) -> Any:
-    """The results of a call but for its status, which must be a success."""
-    status, *others = results
-    if int(status):
-        raise Unavailable(f"a call of CUDA failed: {status!r}")
-    return others
+def pulled_back(node: Any, a: torch.Tensor, b: torch.Tensor, bar: torch.Tensor) -> list[Any]:
+    """The cotangents of both lists, from a matrix of those of all pairs."""
+    widths, results = [max(width, 1) for _, _, width in node.takes], []
+    bar = bar.detach()
+    for own, first in ((0, 0), (1, widths[0])):
+        pairs, read = _pairs(node, a, b, own)
+        steps = (bar.stride(0), bar.stride(1)) if own == 0 else (bar.stride(1), bar.stride(0))
+        by = pairs.sums("vjp", widths, first, widths[own], weights=(bar, *steps))
+        results.append(by.reshape((a, b)[own].shape))
+        _keep([*read, bar])
+    return results

@@ -389,7 +389,7 @@ class Function(Forms):
         return self.program_of(dtype=np.float32).wgsl(name or self.__name__)
 
     def javascript(self, name=None, form="value"):
-        """A module of JavaScript that exports a form of the function, in float64 with the same bits."""
+        """A module of JavaScript that exports a form of the function, in float64 with the same bits; `program_of` has float32."""
         return self.program_of(form).javascript(name or self.__name__)
 
     def __repr__(self):

@@ -44,7 +44,7 @@ def _lent(x, lead, width):
 def computed(node, xs):
     """The results of a node, as new tensors."""
     lead = lead_of(node, xs)
-    if xs[0].is_cuda:
+    if _cuda.is_there(xs[0]):
         return _cuda.computed(node, xs, lead)
     if 0 in lead:
         return [xs[0].new_empty(_nodes.size(lead, width)) for width in node.gives]
@@ -232,7 +232,7 @@ def applied(node, xs):
 
 def lacks(name, x, lacks_it):
     """Raises an error for what a device does not compute."""
-    if lacks_it and x.is_cuda:
+    if lacks_it and _cuda.is_there(x):
         raise TypeError(
             f"geograd.torch.{name} computes on the CPU, and a tensor is on {x.device}: move it with .cpu(), and the result back"
         )

@@ -5,8 +5,10 @@ from __future__ import annotations
 import torch
 
 import geograd
-from geograd import _nodes, _torch, _torch_polygons
+from geograd import _cuda, _nodes, _torch, _torch_polygons
 
+#: The list whose rows have a result, and the comparison that a better one passes.
+_EXTREMES = {"row_max": (0, ">"), "column_max": (1, ">")}
 _COLUMNS = _torch_polygons.ANY
 
 
@@ -16,9 +18,15 @@ class _Pairs(torch.autograd.Function):
     @staticmethod
     def forward(ctx, node, form, a, b):
         ctx.node, ctx.form = node, form
+        ctx.save_for_backward(a, b)
+        if _cuda.is_there(a):
+            if form == "all_pairs":
+                return _torch.computed(node, _crossed(node, a, b))[0]
+            factor = 1 / max(a.shape[0] * b.shape[0], 1) if form == "mean" else 1.0
+            total, ctx.grads = _cuda.total(node, a, b, factor, any(ctx.needs_input_grad))
+            return total
         verb, kinds = node.base.verb, node.base.kinds
         arrays = a.detach().numpy(), b.detach().numpy()
-        ctx.save_for_backward(a, b)
         if form == "all_pairs":
             return torch.from_numpy(verb.all_pairs(*arrays, kind=kinds))
         total, grads = getattr(verb, f"{form}_grad")(*arrays, kind=kinds)
@@ -35,6 +43,8 @@ class _Pairs(torch.autograd.Function):
             inputs = [*_crossed(ctx.node, a, b), bar.expand(a.shape[0], b.shape[0])]
             grads = _torch.applied(ctx.node.vjp(), inputs)
             return None, None, grads[0].sum(1), grads[1].sum(0)
+        if ctx.form == "all_pairs" and _cuda.is_there(a):
+            return None, None, *_cuda.pulled_back(ctx.node, a, b, bar)
         if ctx.form == "all_pairs":
             arrays = a.numpy(), b.numpy(), bar.contiguous().numpy()
             grads = ctx.node.base.verb.all_pairs_vjp(*arrays, kind=ctx.node.base.kinds)
@@ -96,7 +106,7 @@ class Verb:
     def _is_special(node, a, b):
         """Whether pairs are taken one by one: in transforms, in batches, of results of several numbers."""
         has_axes = any(x.dim() - bool(width) != 1 for x, (_, _, width) in zip((a, b), node.takes))
-        return a.is_cuda or has_axes or node.gives != [0] or _torch.is_transformed() or _torch.has_tangents()
+        return has_axes or node.gives != [0] or _torch.is_transformed() or _torch.has_tangents()
 
     def _total(self, form, a, b, kind):
         if torch.compiler.is_compiling():
@@ -129,12 +139,13 @@ class Verb:
 
     def _most(self, form, a, b, groups, kind):
         node, (a, b) = self._two(form, a, b, kind)
-        if a.is_cuda:
-            return self._most_on_device(form, a, b, groups, kind)
         groups = None if groups is None else tuple(map(_offsets, groups))
-        arrays = a.detach().numpy(), b.detach().numpy()
-        found = getattr(node.base.verb, form)(*arrays, groups=groups, kind=node.base.kinds)
-        values, places = map(torch.from_numpy, found)
+        if _cuda.is_there(a):
+            values, places = _cuda.most(node, a, b, *_EXTREMES[form], groups)
+        else:
+            arrays = a.detach().numpy(), b.detach().numpy()
+            found = getattr(node.base.verb, form)(*arrays, groups=groups, kind=node.base.kinds)
+            values, places = map(torch.from_numpy, found)
         if torch.is_grad_enabled() and (a.requires_grad or b.requires_grad):
             found = torch.nonzero(places >= 0).squeeze(-1)
             own, other = found, places[found]
@@ -142,30 +153,18 @@ class Verb:
             values = values.index_copy(0, found, self(*pairs, kind=kind))
         return values, places
 
-    def _most_on_device(self, form, a, b, groups, kind):
-        """The largest results of a matrix on a device."""
-        _torch.lacks(f"{self.__name__}.{form} in groups", a, groups is not None)
-        matrix, axis = self.all_pairs(a, b, kind=kind), 1 if form == "row_max" else 0
-        if matrix.shape[axis] == 0:
-            size = matrix.shape[1 - axis]
-            return matrix.new_full((size,), -torch.inf), torch.full((size,), -1, dtype=torch.int64, device=a.device)
-        values, places = matrix.max(axis)
-        return values, places
-
     @torch.compiler.disable
     def above(self, a, b, threshold, *, groups=None, kind=None):
         """Every pair, with groups every pair of a group, whose result is above a threshold: rows of ``a``, rows of ``b``,
         results with derivatives."""
         node, (a, b) = self._two("above", a, b, kind)
-        if a.is_cuda:
-            _torch.lacks(f"{self.__name__}.above in groups", a, groups is not None)
-            matrix = self.all_pairs(a, b, kind=kind)
-            rows, columns = torch.nonzero(matrix > threshold, as_tuple=True)
-            return rows, columns, matrix[rows, columns]
         groups = None if groups is None else tuple(map(_offsets, groups))
-        arrays = a.detach().numpy(), b.detach().numpy()
-        found = node.base.verb.above(*arrays, float(threshold), groups=groups, kind=node.base.kinds)
-        rows, columns, values = map(torch.from_numpy, found)
+        if _cuda.is_there(a):
+            rows, columns, values = _cuda.above(node, a, b, ">", float(threshold), groups)
+        else:
+            arrays = a.detach().numpy(), b.detach().numpy()
+            found = node.base.verb.above(*arrays, float(threshold), groups=groups, kind=node.base.kinds)
+            rows, columns, values = map(torch.from_numpy, found)
         if torch.is_grad_enabled() and (a.requires_grad or b.requires_grad):
             values = self(a[rows], b[columns], kind=kind)
         return rows, columns, values
@@ -173,8 +172,8 @@ class Verb:
     def count_above(self, a, b, threshold, *, kind=None):
         """How many pairs have a result above a threshold."""
         node, (a, b) = self._two("count_above", a, b, kind)
-        if a.is_cuda:
-            return int((self.all_pairs(a, b, kind=kind) > threshold).sum())
+        if _cuda.is_there(a):
+            return _cuda.count_above(node, a, b, ">", float(threshold))
         arrays = a.detach().numpy(), b.detach().numpy()
         return node.base.verb.count_above(*arrays, float(threshold), kind=node.base.kinds)
 
@@ -185,7 +184,7 @@ class Verb:
         node = _nodes.of_verb(self.__name__, kind, 2)
         (shapes,) = _torch.tensors(self.__name__, (shapes,), casts=True)
         (scores,) = _torch.tensors(self.__name__, (scores,), casts=True)
-        _torch.lacks(f"{self.__name__}.suppress", shapes, shapes.is_cuda)
+        _torch.lacks(f"{self.__name__}.suppress", shapes, True)
         kept = node.base.verb.suppress(
             shapes.detach().numpy(), scores.detach().numpy(), overlap, classes=_offsets(classes), score=score, most=most,
             groups=_offsets(groups), kind=node.base.kinds

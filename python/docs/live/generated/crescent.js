@@ -1,31 +1,6 @@
 // Written by geograd. In 64-bit floats, with the bits of the library.
 
-// The bits of a number, to read and to write; the high word is first.
-const program_bits = new DataView(new ArrayBuffer(8));
-
-// The number with these words.
-function program_of_words(high, low) {
-    program_bits.setUint32(0, high);
-    program_bits.setUint32(4, low);
-    return program_bits.getFloat64(0);
-}
-
-// The high word of a number.
-function program_high_word(x) {
-    program_bits.setFloat64(0, x);
-    return program_bits.getUint32(0);
-}
-
-// The root; zero for zero and below. Engines use the processor's, which is the nearest number.
-function program_root(x) {
-    return x <= 0 ? 0 : Math.sqrt(x);
-}
-
-// The power of two that brings a positive number into [2, 4): exponent field e becomes 2 * bias + 1 - e.
-function program_binade(x) {
-    const normal = x < 2.2250738585072014e-308 ? 2.2250738585072014e-308 : x;
-    return program_of_words(0x7ff00000 - (program_high_word(normal) & 0x7ff00000), 0);
-}
+import { program_binade, program_root } from "./program.js";
 
 /**
  * @param {ArrayLike<number>} x point.x, point.y, bite
@@ -34,7 +9,7 @@ function program_binade(x) {
 export function crescent(x) {
     let sum = 0;
     for (let i = 0; i < 3; i += 1) {
-        sum += x[i];
+        sum = sum + x[i];
     }
     if (sum !== sum) {
         return new Array(4).fill(NaN);
