@@ -111,8 +111,8 @@ impl<S: Scalar, const N: usize> Cornered for Hull3<S, N> {
         }
         let count = self.count.clamp(1, N);
         let mut all = self.vertices;
-        for k in 0..N {
-            all[k] = self.vertices[if k < count { k } else { 0 }] - from;
+        for (k, corner) in all.iter_mut().enumerate() {
+            *corner = self.vertices[if k < count { k } else { 0 }] - from;
         }
         all
     }
