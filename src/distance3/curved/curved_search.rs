@@ -12,7 +12,7 @@ use super::level::shared;
 use super::piece::{PieceKind, Place};
 use super::solid_pair::{Found, Solids};
 use super::support::Supported;
-use super::touch::{System, Touch};
+use super::touch::{System, Touch, tangents};
 use super::touching::{Candidate, candidates};
 use crate::Vec3;
 
@@ -206,6 +206,21 @@ impl Solids<'_> {
             *best = Some(found);
         }
     }
+    /// Returns a direction beside a touch along which solids that overlap part after a shorter way, if there is one: a
+    /// touch may be stationary without being the best near it.
+    fn better(&self, found: &Found) -> Option<Vec3<f64>> {
+        let [x, y] = tangents(found.touch.normal);
+        let ways = [x, -x, y, -y, x + y, x - y, y - x, -x - y];
+        [3e-2, 3e-3, 3e-4].into_iter().find_map(|step| {
+            let turned = ways.map(|way| {
+                let normal = found.touch.normal + way * step;
+                normal * (1.0 / normal.length())
+            });
+            let valued = turned.map(|normal| (self.value(normal), normal));
+            let best = valued.into_iter().max_by(|p, q| p.0.total_cmp(&q.0))?;
+            (best.0 > found.value + 10.0 * EXACT * self.size).then_some(best.1)
+        })
+    }
     /// Returns the touch of solids that overlap, or nearly so, beginning with a normal.
     fn parted(&self, best: &mut Option<Found>, first: Vec3<f64>) {
         let (mut normal, mut value) = (first, self.value(first));
@@ -284,6 +299,13 @@ pub fn search(a: &dyn Supported, b: &dyn Supported) -> Option<Found> {
                 solids.parted(&mut best, exit.normal);
             }
         }
+    }
+    for _ in 0..PARTINGS {
+        let overlap = best.filter(|found| found.value <= 0.0);
+        let Some(better) = overlap.and_then(|found| solids.better(&found)) else {
+            break;
+        };
+        solids.parted(&mut best, better);
     }
     best.map(|found| shared(&solids, found))
 }

@@ -13,6 +13,8 @@ use crate::{Scalar, Vec3};
 pub const MOST: usize = 10;
 /// A pivot below which an equation depends on others, relative to its largest coefficient.
 const DEPENDENT: f64 = 1e-12;
+/// A largest coefficient below which an equation says nothing; its inverse is finite in every format.
+const NONE: f64 = 1e-18;
 
 /// A normal from a to b, and the places of the points that touch along it.
 #[derive(Clone, Copy, Debug)]
@@ -152,7 +154,7 @@ impl System {
         let mut scales = [0.0; MOST];
         for (scale, row) in scales.iter_mut().zip(&*m).take(n) {
             let most = row[..n].iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-            *scale = if most > 0.0 { 1.0 / most } else { 0.0 };
+            *scale = if most > NONE { 1.0 / most } else { 0.0 };
         }
         while self.rank < n {
             let (mut best, mut place) = (0.0, (self.rank, self.rank));

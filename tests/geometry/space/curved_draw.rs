@@ -39,7 +39,7 @@ fn turn(random: &mut Random) -> Rotation3<f64> {
 
 /// Two frames of a family.
 pub fn frames(random: &mut Random, family: usize) -> [Frame; 2] {
-    let mut lengths = |random: &mut Random| {
+    let lengths = |random: &mut Random| {
         let mut one = || match family {
             4 => random.power(-4.0, 0.0),
             5 => random.power(-9.0, 0.0),
@@ -117,6 +117,15 @@ fn split(arm: Vec3<f64>, axis: Vec3<f64>) -> (f64, Vec3<f64>) {
     (along.dot(arm), arm - along * along.dot(arm))
 }
 
+/// The direction across an axis, of length one; zero for one that is along it within rounding.
+fn side(way: Vec3<f64>, axis: Vec3<f64>) -> Vec3<f64> {
+    let across = split(way, axis).1;
+    match across.length() > 1e-13 * way.length() {
+        true => unit(across),
+        false => Vec3::zero(),
+    }
+}
+
 impl Body for Ellipsoid<f64> {
     fn drawn(
         Frame {
@@ -191,7 +200,7 @@ impl Body for Cylinder<f64> {
         } else {
             self.start
         };
-        end + unit(split(way, axis).1) * self.radius
+        end + side(way, axis) * self.radius
     }
     fn outside(&self, point: Vec3<f64>) -> f64 {
         let axis = self.end - self.start;
@@ -220,7 +229,7 @@ impl Body for Cone<f64> {
     }
     fn high(&self, way: Vec3<f64>) -> Vec3<f64> {
         let axis = self.base - self.apex;
-        let rim = axis + unit(split(way, axis).1) * self.radius;
+        let rim = axis + side(way, axis) * self.radius;
         if rim.dot(way) > 0.0 {
             self.apex + rim
         } else {
@@ -253,7 +262,7 @@ impl Body for Disc<f64> {
         Disc::new(at, turn * Vec3::new(0.0, 0.0, 0.5 + x), y)
     }
     fn high(&self, way: Vec3<f64>) -> Vec3<f64> {
-        self.center + unit(split(way, self.normal).1) * self.radius
+        self.center + side(way, self.normal) * self.radius
     }
     fn outside(&self, point: Vec3<f64>) -> f64 {
         let (along, across) = split(point - self.center, self.normal);
@@ -306,7 +315,7 @@ impl Body for Vec3<f64> {
     fn drawn(frame: Frame) -> Self {
         frame.at
     }
-    fn farthest(&self, _: Vec3<f64>) -> Vec3<f64> {
+    fn high(&self, _: Vec3<f64>) -> Vec3<f64> {
         *self
     }
     fn outside(&self, point: Vec3<f64>) -> f64 {
