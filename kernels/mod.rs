@@ -6,7 +6,9 @@
 //! | [`Cpu::all_pairs`] | every shape of a with every shape of b | a [`Table`] |
 //! | [`Cpu::row_max`], [`Cpu::column_max`] | two lists | the best match of every row or column |
 //! | [`Cpu::above`], [`Cpu::count_above`] | two lists | the pairs above a threshold |
-//! | [`Cpu::above_grouped`], [`Cpu::row_max_grouped`] | two lists in [`Groups`] | these results within every group |
+//! | [`Cpu::row_min`], [`Cpu::nearest`], [`Cpu::below`] | two lists | the nearest of every shape, the nearest pair, the pairs below a limit |
+//! | [`Cpu::row_min_grad`], [`Cpu::nearest_grad`] | two lists | these results and their gradient |
+//! | [`Cpu::above_grouped`], [`Cpu::row_max_grouped`], [`Cpu::row_min_grouped`] | two lists in [`Groups`] | these results within every group |
 //! | [`Cpu::greedy_grouped`], [`Cpu::outcomes_grouped`] | pairs in [`Groups`] | one-to-one pairs, outcomes of detections |
 //! | [`Cpu::sum`], [`Cpu::mean`], [`Cpu::sum_grad`] | two lists | a loss, and its gradient |
 //! | [`Cpu::ragged`], [`Cpu::fold`] | paths as vertices and offsets | one result per path |
@@ -33,7 +35,8 @@
 //! no NaN of its centre. Drivers of a GPU may assume that there is no NaN: there such an item may have any result.
 //!
 //! Without pairs a sum is 0, a count 0 and a list empty. The mean is 0 with a gradient of zero, as the loss of a step
-//! without matches. The maximum of an empty row is an error: [`Error::NoLargest`](crate::Error::NoLargest).
+//! without matches. The maximum or minimum of an empty row is an error:
+//! [`Error::NoLargest`](crate::Error::NoLargest).
 //!
 //! # One call
 //!
@@ -99,7 +102,7 @@ pub mod __private {
     pub use crate::kernels::row::item::layout::{Item, Leaf, Target, leaf, target};
     pub use crate::kernels::row::op::{
         Declared, Declares, Derivative, Effect, Extremes, Finite, Hvp, Invariance, Jacobian, Jumps,
-        Jvp, Motion, Op, Range, ValueGrad, Vjp,
+        Jvp, LowerBound, Motion, Op, Range, ValueGrad, Vjp,
     };
     pub use crate::kernels::verbs::{Binary, Takes, Ternary, Unary};
     pub use crate::scalar::guard::guarded;

@@ -45,6 +45,7 @@ pub(crate) mod aligned;
 #[allow(unsafe_code)]
 pub(crate) mod arch;
 mod blocks;
+mod boxes;
 mod boxes3;
 pub(crate) mod checked;
 pub(crate) mod folds;
@@ -53,6 +54,7 @@ pub(crate) mod greedy;
 pub(crate) mod grouped;
 mod held;
 pub(crate) mod lane;
+pub(crate) mod least;
 mod maker;
 pub(crate) mod matches;
 pub(crate) mod matrix;

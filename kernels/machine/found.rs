@@ -2,7 +2,7 @@
 use crate::Real;
 use crate::error::{Argument, Error, Validate};
 
-/// The largest score of a row or column, and its index.
+/// The largest score of a row or column, or the least, and its index.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Best<T = f32> {
     /// The score.
@@ -11,7 +11,7 @@ pub struct Best<T = f32> {
     pub index: usize,
 }
 
-/// A pair whose score is above a threshold.
+/// A pair of two lists and its score, such as one above a threshold.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Found<T = f32> {
     /// The row: a shape of the first list.

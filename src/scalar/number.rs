@@ -434,6 +434,12 @@ pub trait Fixed: Pack<Scalar: Copy + Send + Sync> + Copy + Send + Sync + 'static
     /// When there are fewer.
     #[inline]
     fn store_codes(self, _to: &mut [u32]) {}
+    /// Returns the lower bounds along the axes, two or three, and then the upper ones; nothing for a shape without
+    /// known bounds. `#[shape(bounding)]` takes them from the shape's method `bounding`.
+    #[must_use]
+    fn axis_bounds(self) -> Vec<Self::Scalar> {
+        Vec::new()
+    }
 
     /// Returns the names of all scalars, first field first.
     #[must_use]

@@ -16,6 +16,7 @@ mod javascript;
 mod memory;
 mod names;
 mod nan;
+mod nearest;
 mod polygon;
 mod program;
 mod reduce;
