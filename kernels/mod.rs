@@ -11,6 +11,7 @@
 //! | [`Cpu::above_grouped`], [`Cpu::row_max_grouped`], [`Cpu::row_min_grouped`] | two lists in [`Groups`] | these results within every group |
 //! | [`Cpu::greedy_grouped`], [`Cpu::outcomes_grouped`] | pairs in [`Groups`] | one-to-one pairs, outcomes of detections |
 //! | [`Cpu::sum`], [`Cpu::mean`], [`Cpu::sum_grad`] | two lists | a loss, and its gradient |
+//! | [`Cpu::squares`] | as `aligned` | the sums of least squares: `JᵀJ`, `Jᵀr` and the cost |
 //! | [`Cpu::ragged`], [`Cpu::fold`] | paths as vertices and offsets | one result per path |
 //!
 //! The function is a value: a [verb](verbs) such as [`Iou`]; its gradient ([`value_grad`](Iou::value_grad)), Jacobian
@@ -87,7 +88,9 @@ pub use fuzz::identities;
 #[cfg(feature = "check")]
 #[doc(hidden)]
 pub use fuzz::tested;
-pub use machine::{Column, Columns, Groups, Machine, One, Skip, Table, Targets, resident};
+pub use machine::{
+    Column, Columns, Groups, Machine, One, Robust, Skip, Squares, Table, Targets, resident,
+};
 pub use row::fold::{self, Fold};
 pub use row::item::{self, Item, Single, Target};
 pub use row::op::{self, Op};

@@ -21,6 +21,7 @@ mod pending;
 mod primitives;
 pub mod resident;
 mod results;
+mod squares;
 mod stored;
 pub(crate) mod suppress;
 mod table;
@@ -52,6 +53,7 @@ pub use results::{
     Bests, Founds, GroupedReduction, Matrix, Reduced, Reduction, RingBars, RingValues,
 };
 pub(crate) use results::{Downloads, InMemory, Matrices};
+pub use squares::{Robust, Squares};
 pub use stored::{HeldNumbers, Stored};
 pub use table::Table;
 pub use targets::{Skip, Targets};

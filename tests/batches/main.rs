@@ -25,6 +25,7 @@ mod rules;
 mod search;
 mod shapes;
 mod spellings;
+mod squares;
 mod straight;
 mod verbs;
 mod widths;
