@@ -5,10 +5,10 @@
 //! result, then all that are left. Pairs of several own items share tiles.
 use crate::Real;
 use crate::kernels::cpu::arch::flat;
-use crate::kernels::cpu::boxes::{Boxes, Open};
 use crate::kernels::cpu::lane::{
     BLOCK, LaneBuffer, Planes, ResultTiles, TILE, Tiles, planes, tiles,
 };
+use crate::kernels::cpu::lower_bounds::{Boxes, Open};
 use crate::kernels::cpu::plan::Plan;
 use crate::kernels::cpu::work::{in_parallel, rows_per_piece};
 use crate::kernels::machine::found::Found;

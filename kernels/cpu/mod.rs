@@ -34,7 +34,7 @@
 //! scattered. Suppression (`greedy`) computes only pairs with a kept shape. Small groups (`grouped`), such as the boxes
 //! of a frame, share the lanes of a tile.
 //!
-//! *The nearest.* `least` searches for least results. `boxes` prepares boxes around shapes by recorded programs, and bounds
+//! *The nearest.* `least` searches for least results. `lower_bounds` prepares boxes around shapes by recorded programs, and bounds
 //! the results of an item with all others from below; long lists are sorted along a curve. Others of the least bounds
 //! are computed first, and then those whose bound is not above the least result.
 //!
@@ -49,7 +49,6 @@ pub(crate) mod aligned;
 #[allow(unsafe_code)]
 pub(crate) mod arch;
 mod blocks;
-mod boxes;
 mod boxes3;
 pub(crate) mod checked;
 pub(crate) mod folds;
@@ -59,6 +58,7 @@ pub(crate) mod grouped;
 mod held;
 pub(crate) mod lane;
 pub(crate) mod least;
+mod lower_bounds;
 mod maker;
 pub(crate) mod matches;
 pub(crate) mod matrix;

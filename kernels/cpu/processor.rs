@@ -5,7 +5,6 @@ use crate::kernels::call::folding::Folding;
 use crate::kernels::call::recording::{Body, Call};
 use crate::kernels::cpu::Processor;
 use crate::kernels::cpu::aligned::{checked, compute, compute_unchecked};
-use crate::kernels::cpu::boxes::Boxes;
 use crate::kernels::cpu::checked::{
     check, check_argument, check_numbers, check_upstream, restore, tame,
 };
@@ -13,6 +12,7 @@ use crate::kernels::cpu::folds;
 use crate::kernels::cpu::greedy;
 use crate::kernels::cpu::grouped;
 use crate::kernels::cpu::least::Search;
+use crate::kernels::cpu::lower_bounds::Boxes;
 use crate::kernels::cpu::matrix;
 use crate::kernels::cpu::pairs::{self, Pairs};
 use crate::kernels::cpu::plan::{Plan, Shapes, axis_bounds, plan};

@@ -1,54 +1,14 @@
 //! The least results of all pairs: the nearest shape of every shape, the nearest pair, and the pairs below a limit.
-use super::found::{check_sides, check_threshold};
+use super::found::check_sides;
 use super::primitives::{Engine, Items, try_then_check};
 use super::results::GroupedReduction;
-use super::{Best, Column, FOREIGN, Found, GroupSpans, Groups};
+use super::{Best, Column, FOREIGN, Found, GroupSpans, Groups, Least, LeastPairs};
 use crate::Real;
 use crate::error::{Argument, Error};
 use crate::kernels::call::recording::Call;
 use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::item::Target;
 use crate::kernels::row::item::counts::{check_finite, expect};
-
-/// A search for the least results of the pairs within groups.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Least<T> {
-    /// The least of every row, at most a cap.
-    Rows(T),
-    /// The least of every column, at most a cap.
-    Columns(T),
-    /// The least of every group, at most a cap.
-    Groups(T),
-    /// Every pair below a limit.
-    Below(T),
-}
-
-impl<T: Real> Least<T> {
-    /// Returns the cap.
-    pub(crate) fn cap(self) -> T {
-        match self {
-            Least::Rows(cap) | Least::Columns(cap) | Least::Groups(cap) | Least::Below(cap) => cap,
-        }
-    }
-    /// Returns an error for a limit that is not finite and for a cap that is NaN.
-    pub(crate) fn check(self) -> Result<(), Error> {
-        match self {
-            Least::Below(limit) => check_threshold(limit),
-            _ if self.cap().equals(self.cap()) => Ok(()),
-            _ => check_threshold(self.cap()),
-        }
-    }
-}
-
-/// The result of a search for the least results.
-#[derive(Clone, Debug, Default)]
-pub struct LeastPairs<T> {
-    /// The first of the least pairs of every row, column or group; `None` without a finite result up to the cap.
-    pub best: Vec<Option<Found<T>>>,
-    /// Every pair below the limit, or every pair with the least result if ties are wanted; ordered by row and then by
-    /// column.
-    pub pairs: Vec<Found<T>>,
-}
 
 /// Searches by the largest of the negated function, for engines without a search of their own. Of ties the first pair
 /// alone is found.

@@ -1,6 +1,6 @@
 //! The nearest of many: calls for the least results of all pairs.
-use super::least::{Least, best_of, least_grouped, least_of, least_of_all, least_pulled, side};
-use super::{Best, Column, Columns, Found, Groups, Machine, Number, On};
+use super::least::{best_of, least_grouped, least_of, least_of_all, least_pulled, side};
+use super::{Best, Column, Columns, Found, Groups, Least, Machine, Number, On};
 use crate::error::Error;
 use crate::kernels::call::modes::Function;
 use crate::kernels::call::recording::Call;

@@ -2,8 +2,8 @@
 //!
 //! An engine implements these primitives; [`Machine`](super::Machine) builds every named call from them.
 use super::column::Column;
+use super::found::{Least, LeastPairs};
 use super::groups::GroupSpans;
-use super::least::{Least, LeastPairs};
 use super::machine_column::Numbers;
 use super::paths::{Input, VertexBars};
 use super::results::{Bests, GroupedReduction, Matrix, Reduced, Reduction};

@@ -3,7 +3,7 @@ use super::columns::listed;
 use super::primitives::try_then_check;
 use super::{Column, Columns, Engine, Items, Machine, Number, On, count_of};
 use crate::Real;
-use crate::error::Error;
+use crate::error::{Argument, Error, Field, Flaw};
 use crate::kernels::call::modes::Function;
 use crate::kernels::call::recording::Call;
 use crate::kernels::machine::found::check_threshold;
@@ -40,11 +40,17 @@ impl Robust {
     }
     /// Returns an error for a threshold that is not finite and above zero.
     fn check(self) -> Result<(), Error> {
-        match self {
-            Robust::Huber(t) | Robust::Cauchy(t) if !(t > 0.0 && t.is_finite()) => {
-                check_threshold(if t.is_finite() { f64::NAN } else { t })
-            }
-            _ => Ok(()),
+        let (Robust::Huber(t) | Robust::Cauchy(t)) = self else {
+            return Ok(());
+        };
+        check_threshold(t)?;
+        match t > 0.0 {
+            true => Ok(()),
+            false => Err(Error::Invalid {
+                argument: Argument::Threshold,
+                item: 0,
+                flaw: Flaw::NotPositive(Field::VALUE),
+            }),
         }
     }
 }

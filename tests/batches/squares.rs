@@ -64,7 +64,10 @@ fn steps_lead_to_the_pose() {
     let mut dice = Dice(6);
     let from = points(&mut dice, 60);
     let truth = [0.4, -0.3, 0.5];
-    let mut to: Vec<_> = from.iter().map(|&point| residual(truth, point, Vec2::zero())).collect();
+    let mut to: Vec<_> = from
+        .iter()
+        .map(|&point| residual(truth, point, Vec2::zero()))
+        .collect();
     for outlier in &mut to[..6] {
         *outlier = *outlier + Vec2::new(30.0, -20.0);
     }

@@ -7,8 +7,8 @@ use crate::kernels::cpu::lane::{Lane, Tiles};
 /// endless along z.
 pub(crate) const SPACE: usize = 6;
 
-/// The part of a distance, and of the largest side of a box, by which lower bounds are too small: more than any row
-/// errs.
+/// Returns the part of a distance, and of the largest side of a box, by which lower bounds are too small: more than any
+/// row errs.
 fn share<T: Real>() -> f64 {
     4.0 * T::EPSILON.sqrt()
 }
