@@ -1,9 +1,9 @@
 //! The nearest of many: calls for the least results of all pairs.
+use super::all_pairs::list_call;
 use super::least::{best_of, least_grouped, least_of, least_of_all, least_pulled, side};
 use super::{Best, Column, Columns, Found, Groups, Least, Machine, Number, On};
 use crate::error::Error;
 use crate::kernels::call::modes::Function;
-use crate::kernels::call::recording::Call;
 use crate::kernels::row::item::Single;
 use crate::kernels::row::item::rows::shapes;
 
@@ -12,21 +12,6 @@ type Nearest<A> = Vec<Option<Best<Number<A>>>>;
 
 /// Gradients of both lists.
 type Bars<A, B> = (Vec<<A as Columns>::Item>, Vec<<B as Columns>::Item>);
-
-/// Returns the call of a function with every shape of two lists.
-#[expect(clippy::type_complexity, reason = "a pair of what a call takes")]
-fn called<'a, A, B, R>(
-    run: &R,
-    a: &'a A,
-    b: &'a B,
-) -> Result<(Call<Number<A>>, [Column<'a, Number<A>>; 2]), Error>
-where
-    A: Columns<Item: Single>,
-    B: Columns<Item: Single<Scalar = Number<A>>>,
-    R: Function<(A::Item, B::Item)>,
-{
-    Ok((run.call()?, [a.list_of_shapes(), b.list_of_shapes()]))
-}
 
 /// Returns both lists of gradients as shapes.
 fn placed<A, B>(
@@ -72,7 +57,7 @@ macro_rules! calls {
                 R: Function<(A::Item, B::Item), Out = Number<A>>,
                 Number<A>: On<E>,
             {
-                let ($call, $lists) = called(&run, &a, &b)?;
+                let ($call, $lists) = list_call(&run, &a, &b)?;
                 let $machine = self.engine();
                 $body
             }
