@@ -1,5 +1,6 @@
 //! The nearest of many: the bits of a search through all pairs, for every row with a lower bound.
 use geograd::ad::check::sample::Draw;
+use geograd::distance::Convex;
 use geograd::error::{Argument, Error};
 use geograd::kernels::dynamic::{self, Function, Operation, Rows};
 use geograd::kernels::machine::Least;

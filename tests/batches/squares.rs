@@ -1,4 +1,5 @@
 //! Sums of least squares: those of every item's Jacobian, and gradients of the cost.
+use geograd::distance::Convex;
 use geograd::error::{Argument, Error};
 use geograd::kernels::{Cpu, One, Robust, function};
 use geograd::{Fixed, Obb2, Pack, Pose2, Scalar, Vec2};
@@ -24,12 +25,13 @@ fn sums_are_those_of_the_jacobians() {
     let mut dice = Dice(4);
     // More items than one stretch.
     let (from, to) = (points(&mut dice, 5000), points(&mut dice, 5000));
-    let pose = [0.3, -0.2, 0.7];
+    let pose = [0.3_f64, -0.2, 0.7];
     let cpu = Cpu::new();
     let columns = (One(pose), &from, &to);
-    let run = function(residual);
-    let sums = cpu.squares(run, columns, &[0], Robust::Squares).unwrap();
-    let (residuals, jacobians) = cpu.aligned(run.jacobian(), columns).unwrap();
+    let sums = cpu
+        .squares(function(residual), columns, &[0], Robust::Squares)
+        .unwrap();
+    let (residuals, jacobians) = cpu.aligned(function(residual).jacobian(), columns).unwrap();
     let (mut jtj, mut jtr, mut cost) = ([0.0; 9], [0.0; 3], 0.0);
     for (r, by) in residuals.iter().zip(&jacobians) {
         cost += 0.5 * r.length_squared();
@@ -50,7 +52,7 @@ fn sums_are_those_of_the_jacobians() {
     let narrow: Vec<Vec2<f32>> = from.iter().map(|x| x.cast()).collect();
     let aims: Vec<Vec2<f32>> = to.iter().map(|x| x.cast()).collect();
     let single = cpu.squares(
-        run,
+        function(residual),
         (One(pose.map(|x| x as f32)), &narrow, &aims),
         &[0],
         Robust::Squares,
@@ -63,7 +65,7 @@ fn sums_are_those_of_the_jacobians() {
 fn steps_lead_to_the_pose() {
     let mut dice = Dice(6);
     let from = points(&mut dice, 60);
-    let truth = [0.4, -0.3, 0.5];
+    let truth = [0.4_f64, -0.3, 0.5];
     let mut to: Vec<_> = from
         .iter()
         .map(|&point| residual(truth, point, Vec2::zero()))
@@ -73,7 +75,7 @@ fn steps_lead_to_the_pose() {
     }
     let cpu = Cpu::new();
     let fit = |loss: Robust| {
-        let mut pose = [0.0; 3];
+        let mut pose = [0.0_f64; 3];
         for _ in 0..60 {
             let sums = cpu
                 .squares(function(residual), (One(pose), &from, &to), &[0], loss)
