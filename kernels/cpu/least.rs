@@ -17,8 +17,6 @@ use std::ops::Range;
 
 /// The number of own items whose pairs are computed together.
 const TOGETHER: usize = 32;
-/// The number of others with the least bounds that are computed first.
-const FIRST: usize = 2;
 /// The number of others up to which all are computed next, and the number of those that are, of more.
 const FEW: usize = 24;
 const SOME: usize = 8;
@@ -313,27 +311,29 @@ impl<T: Real> Piece<'_, T> {
             others.begin(&mine.around(own), range, squared, open);
         }
         if is_least {
-            for most in [FIRST, FEW] {
-                for (own, open) in now.clone().zip(&mut *open) {
-                    let limit = self.limit(own);
-                    if most == FEW {
-                        others.open_rest(&mine.around(own), squared, limit, open);
-                    }
-                    let most = match most == FEW && open.count(limit) > FEW {
-                        true => SOME,
-                        false => most,
-                    };
-                    open.take(limit, most, |place| {
-                        self.add(pairs, own, others.item(place));
-                    });
-                }
-                pairs.finish(&mut |pair, value| self.take(pair, value));
+            for (own, open) in now.clone().zip(&mut *open) {
+                open.first(self.limit(own), |place| {
+                    self.add(pairs, own, others.item(place));
+                });
             }
+            pairs.finish(&mut |pair, value| self.take(pair, value));
+        }
+        for (own, open) in now.clone().zip(&mut *open) {
+            let limit = self.limit(own);
+            others.open_rest(&mine.around(own), squared, limit, open);
+            open.gather(limit);
+        }
+        if is_least {
+            for (own, open) in now.clone().zip(&mut *open) {
+                open.some(FEW, SOME, |place| {
+                    self.add(pairs, own, others.item(place));
+                });
+            }
+            pairs.finish(&mut |pair, value| self.take(pair, value));
         }
         for (own, open) in now.zip(open) {
             let limit = self.limit(own);
-            others.open_rest(&mine.around(own), squared, limit, open);
-            open.take(limit, usize::MAX, |place| {
+            open.rest(limit, |place| {
                 self.add(pairs, own, others.item(place));
             });
         }

@@ -38,6 +38,8 @@ pub(crate) struct Open<T> {
     bounds: Vec<Lane<T>>,
     /// The bounds of all tiles, in tiles; NaN for tiles that are open. Empty if all are.
     upper: Vec<Lane<T>>,
+    /// Bounds and places of others that may be near.
+    near: Vec<(T, u32)>,
 }
 
 /// Interleaves the bits of a coordinate below 2¹⁰ with two zeros each, for Morton's curve in space.
@@ -168,7 +170,7 @@ impl<T: Real> Boxes<T> {
     pub(crate) fn around(&self, item: usize) -> [T; SPACE] {
         box_at(&self.lanes, item)
     }
-    /// Returns the item of a place that [`Open::take`] passes.
+    /// Returns the item of a place that [`Open`] passes.
     pub(crate) fn item(&self, place: u32) -> u32 {
         match &self.sorted {
             Some(sorted) => sorted.order[place as usize],
@@ -240,35 +242,82 @@ impl<T: Real> Boxes<T> {
     }
 }
 
+/// Returns the least number of a lane; infinity if all are NaN.
+#[inline]
+fn least<T: Real>(lane: &Lane<T>) -> T {
+    let lower = |a: T, b: T| if b < a { b } else { a };
+    // Four at a time, which the compiler makes vectors of.
+    let mut four = [T::lit(f64::INFINITY); 4];
+    for part in lane.0.as_chunks::<4>().0 {
+        for (least, &x) in four.iter_mut().zip(part) {
+            *least = lower(*least, x);
+        }
+    }
+    let [a, b, c, d] = four;
+    lower(lower(a, b), lower(c, d))
+}
+
 impl<T: Real> Open<T> {
-    /// Removes others with a bound up to a limit and passes their places: at most `most` of them, those of the least
-    /// bounds.
-    pub(crate) fn take(&mut self, limit: T, most: usize, mut pass: impl FnMut(u32)) {
-        let mut near: Vec<(T, u32)> = Vec::new();
-        for (t, lane) in self.bounds.iter().enumerate() {
-            for (i, bound) in lane.0.iter().enumerate() {
+    /// Removes up to two others with a bound up to a limit, and passes their places: those of the least bounds of two
+    /// tiles.
+    pub(crate) fn first(&mut self, limit: T, mut pass: impl FnMut(u32)) {
+        let mut two = [(T::lit(f64::INFINITY), usize::MAX); 2];
+        for (tile, lane) in self.bounds.iter().enumerate() {
+            let own = (least(lane), tile);
+            if own.0 < two[0].0 {
+                two = [own, two[0]];
+            } else if own.0 < two[1].0 {
+                two[1] = own;
+            }
+        }
+        for (bound, tile) in two {
+            let Some(lane) = self.bounds.get_mut(tile) else {
+                continue;
+            };
+            let at = lane.0.iter().position(|x| x.equals(bound));
+            if let (Some(at), true) = (at, bound.at_most(limit)) {
+                lane.0[at] = T::lit(f64::NAN);
+                pass(self.tiles[tile] * TILE as u32 + at as u32);
+            }
+        }
+    }
+    /// Lists the others with a bound up to a limit that are not removed.
+    pub(crate) fn gather(&mut self, limit: T) {
+        self.near.clear();
+        for (lane, &tile) in self.bounds.iter().zip(&self.tiles) {
+            if !least(lane).at_most(limit) {
+                continue;
+            }
+            for (&bound, i) in lane.0.iter().zip(tile * TILE as u32..) {
                 if bound.at_most(limit) {
-                    near.push((*bound, (t * TILE + i) as u32));
+                    self.near.push((bound, i));
                 }
             }
         }
-        if near.len() > most {
-            let order = |a: &(T, u32), b: &(T, u32)| {
-                let by_bound = a.0.partial_cmp(&b.0);
-                by_bound.map_or(a.1.cmp(&b.1), |order| order.then(a.1.cmp(&b.1)))
-            };
-            near.select_nth_unstable_by(most, order);
-            near.truncate(most);
-        }
-        for (_, i) in near {
-            let (tile, at) = (i as usize / TILE, i as usize % TILE);
-            self.bounds[tile].0[at] = T::lit(f64::NAN);
-            pass(self.tiles[tile] * TILE as u32 + at as u32);
+    }
+    /// Removes listed others and passes their places: all if there are up to `few`, else `some` of the least bounds.
+    pub(crate) fn some(&mut self, few: usize, some: usize, mut pass: impl FnMut(u32)) {
+        let order = |a: &(T, u32), b: &(T, u32)| {
+            let by_bound = a.0.partial_cmp(&b.0);
+            by_bound.map_or(a.1.cmp(&b.1), |order| order.then(a.1.cmp(&b.1)))
+        };
+        let now = match self.near.len() > few {
+            true => {
+                self.near.select_nth_unstable_by(some, order);
+                some
+            }
+            false => self.near.len(),
+        };
+        for (_, place) in self.near.drain(..now) {
+            pass(place);
         }
     }
-    /// Returns the number of others with a bound up to a limit.
-    pub(crate) fn count(&self, limit: T) -> usize {
-        let all = self.bounds.iter().flat_map(|lane| lane.0);
-        all.filter(|bound| bound.at_most(limit)).count()
+    /// Removes the listed others and passes the places of those with a bound up to a limit.
+    pub(crate) fn rest(&mut self, limit: T, mut pass: impl FnMut(u32)) {
+        for (bound, place) in self.near.drain(..) {
+            if bound.at_most(limit) {
+                pass(place);
+            }
+        }
     }
 }
