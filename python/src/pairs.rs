@@ -424,7 +424,7 @@ impl<'py> Call<'_, 'py> {
             .into_pyobject(self.py)?
             .into_any())
     }
-    fn shapes_of(&self, given: &[CallArgument<'py>]) -> Vec<Vec<usize>> {
+    pub fn shapes_of(&self, given: &[CallArgument<'py>]) -> Vec<Vec<usize>> {
         let shape = |given: &CallArgument<'py>| match given {
             CallArgument::Array(array) => array.shape().to_vec(),
             CallArgument::Columns(columns) => {
