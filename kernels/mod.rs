@@ -6,9 +6,12 @@
 //! | [`Cpu::all_pairs`] | every shape of a with every shape of b | a [`Table`] |
 //! | [`Cpu::row_max`], [`Cpu::column_max`] | two lists | the best match of every row or column |
 //! | [`Cpu::above`], [`Cpu::count_above`] | two lists | the pairs above a threshold |
-//! | [`Cpu::above_grouped`], [`Cpu::row_max_grouped`] | two lists in [`Groups`] | these results within every group |
+//! | [`Cpu::row_min`], [`Cpu::nearest`], [`Cpu::below`] | two lists | the nearest of every shape, the nearest pair, the pairs below a limit |
+//! | [`Cpu::row_min_grad`], [`Cpu::nearest_grad`] | two lists | these results and their gradient |
+//! | [`Cpu::above_grouped`], [`Cpu::row_max_grouped`], [`Cpu::row_min_grouped`] | two lists in [`Groups`] | these results within every group |
 //! | [`Cpu::greedy_grouped`], [`Cpu::outcomes_grouped`] | pairs in [`Groups`] | one-to-one pairs, outcomes of detections |
 //! | [`Cpu::sum`], [`Cpu::mean`], [`Cpu::sum_grad`] | two lists | a loss, and its gradient |
+//! | [`Cpu::squares`] | as `aligned` | the sums of least squares: `JᵀJ`, `Jᵀr` and the cost |
 //! | [`Cpu::ragged`], [`Cpu::fold`] | paths as vertices and offsets | one result per path |
 //!
 //! The function is a value: a [verb](verbs) such as [`Iou`]; its gradient ([`value_grad`](Iou::value_grad)), Jacobian
@@ -33,7 +36,8 @@
 //! no NaN of its centre. Drivers of a GPU may assume that there is no NaN: there such an item may have any result.
 //!
 //! Without pairs a sum is 0, a count 0 and a list empty. The mean is 0 with a gradient of zero, as the loss of a step
-//! without matches. The maximum of an empty row is an error: [`Error::NoLargest`](crate::Error::NoLargest).
+//! without matches. The maximum or minimum of an empty row is an error:
+//! [`Error::NoLargest`](crate::Error::NoLargest).
 //!
 //! # One call
 //!
@@ -84,7 +88,9 @@ pub use fuzz::identities;
 #[cfg(feature = "check")]
 #[doc(hidden)]
 pub use fuzz::tested;
-pub use machine::{Column, Columns, Groups, Machine, One, Skip, Table, Targets, resident};
+pub use machine::{
+    Column, Columns, Groups, Machine, One, Robust, Skip, Squares, Table, Targets, resident,
+};
 pub use row::fold::{self, Fold};
 pub use row::item::{self, Item, Single, Target};
 pub use row::op::{self, Op};
@@ -99,7 +105,7 @@ pub mod __private {
     pub use crate::kernels::row::item::layout::{Item, Leaf, Target, leaf, target};
     pub use crate::kernels::row::op::{
         Declared, Declares, Derivative, Effect, Extremes, Finite, Hvp, Invariance, Jacobian, Jumps,
-        Jvp, Motion, Op, Range, ValueGrad, Vjp,
+        Jvp, LowerBound, Motion, Op, Range, ValueGrad, Vjp,
     };
     pub use crate::kernels::verbs::{Binary, Takes, Ternary, Unary};
     pub use crate::scalar::guard::guarded;

@@ -87,6 +87,7 @@ pub use {
 /// | on the struct | |
 /// | --- | --- |
 /// | `non_zero` | its numbers are not all zero |
+/// | `bounding` | its method `bounding` returns an axis-aligned box around it: searches for the nearest skip pairs by it |
 /// | `validate = path` | a function of `&Self` with a rule that no word above says; `RULES` do not have it |
 /// | `except(Validate, approx, Sample, Arbitrary)` | leaves these to you |
 /// | `crate = "name"` | the library's name, where a manifest renames it |

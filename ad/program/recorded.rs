@@ -78,6 +78,17 @@ impl Recorded {
         evaluate_needed(&self.graph, needed, &self.outputs, inputs)
     }
 
+    /// Returns the function with every result negated.
+    pub(crate) fn negated(&self) -> Self {
+        let mut graph = self.graph.clone();
+        let outputs: Vec<Id> = self
+            .outputs
+            .iter()
+            .map(|&x| graph.make(Node::Neg(x)))
+            .collect();
+        Recorded::new(graph, self.inputs, &outputs)
+    }
+
     /// Returns `true` if derivatives in it are multiplied by a share: by a gradient by hand, or by `damp`. Duals of
     /// duals do not include the derivatives of a share.
     #[cfg(feature = "check")]

@@ -38,6 +38,8 @@ pub struct Shape {
     pub fields: Vec<Field>,
     /// Not all its numbers are zero.
     pub non_zero: bool,
+    /// Its method `bounding` returns an axis-aligned box around it.
+    pub bounding: bool,
     /// Functions with further rules.
     pub rules: Vec<TokenStream>,
     /// The traits that the author implements by hand.
@@ -209,6 +211,7 @@ pub fn shape(input: TokenStream) -> Result<Shape, Refusal> {
         name: name.to_string(),
         fields: Vec::new(),
         non_zero: false,
+        bounding: false,
         rules: Vec::new(),
         except: Vec::new(),
         library: "::geograd".to_owned(),
@@ -224,6 +227,8 @@ pub fn shape(input: TokenStream) -> Result<Shape, Refusal> {
             shape.rules.push(item[2..].iter().cloned().collect());
         } else if item.len() == 1 && is_ident(item.first(), "non_zero") {
             shape.non_zero = true;
+        } else if item.len() == 1 && is_ident(item.first(), "bounding") {
+            shape.bounding = true;
         } else if is_ident(item.first(), "except")
             && let Some(inside) = group(item.get(1), Delimiter::Parenthesis)
         {
@@ -244,7 +249,7 @@ pub fn shape(input: TokenStream) -> Result<Shape, Refusal> {
         } else {
             return Refusal::new(
                 span_of(item),
-                "a shape knows `non_zero`, `validate = function`, `except(…)` and `crate = \"name\"`",
+                "a shape knows `non_zero`, `bounding`, `validate = function`, `except(…)` and `crate = \"name\"`",
             );
         }
     }

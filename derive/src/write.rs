@@ -158,6 +158,12 @@ fn fixed(writer: &Writer<'_>) -> String {
         let how = if is_code { "store_code" } else { "store_codes" };
         format!("__g::{how}(self.{}, &mut __to);", field.member)
     });
+    let bounding = match writer.shape.bounding {
+        true => format!(
+            "fn axis_bounds(self) -> __g::Vec<{scalar}> {{ __g::Pack::scalars(&self.bounding()) }}"
+        ),
+        false => String::new(),
+    };
     let names = writer.fields(|i, field, is_code| {
         let hole = hole(i);
         match (is_code, &field.names[..]) {
@@ -203,6 +209,7 @@ fn fixed(writer: &Writer<'_>) -> String {
             fn load_codes(self, mut __from: &[u32]) -> Self {{ {load_codes} }}
             #[inline]
             fn store_codes(self, mut __to: &mut [u32]) {{ {store_codes} let _ = __to; }}
+            {bounding}
         }}",
         other = writer.of("__R"),
     )

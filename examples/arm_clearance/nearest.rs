@@ -7,7 +7,7 @@
 use crate::arm::{Form, Joints, PAIRS, Part, Solids, distances, form, scene, solids};
 use geograd::kernels::verbs::SignedDistance;
 use geograd::kernels::{Cpu, One, function};
-use geograd::{Capsule3, Error, Fixed, Obb3, Plane3};
+use geograd::{Error, Fixed};
 
 /// The clearance of some configurations, with its derivatives.
 #[derive(Debug, Default)]
@@ -39,30 +39,14 @@ impl<A, B> Kind<A, B> {
     }
 }
 
-/// Adds the derivative by a capsule to that by the arm.
-fn add_round(sum: &mut Solids<f32>, part: Part, share: f32, by: Capsule3<f32>) {
-    if let Part::Link(k) = part {
-        let link = &mut sum.links[k];
-        link.start += by.start * share;
-        link.end += by.end * share;
-        link.radius += by.radius * share;
+/// Adds the derivative by a part to that by its arm; what is around the arm is fixed.
+fn add(arm: &mut Solids<f32>, part: Part, by: Form<f32>) {
+    match (part, by) {
+        (Part::Link(k), Form::Round(by)) => arm.links[k] = arm.links[k].plus(by),
+        (Part::Hand, Form::Cubic(by)) => arm.hand = arm.hand.plus(by),
+        _ => (),
     }
 }
-
-/// Adds the derivative by a box to that by the arm.
-fn add_cubic(sum: &mut Solids<f32>, part: Part, share: f32, by: Obb3<f32>) {
-    if let Part::Hand = part {
-        let (turn, more) = (&mut sum.hand.rotation, by.rotation);
-        sum.hand.center += by.center * share;
-        turn.w += more.w * share;
-        turn.x += more.x * share;
-        turn.y += more.y * share;
-        turn.z += more.z * share;
-    }
-}
-
-/// A half-space is fixed: nothing to add.
-fn add_flat(_: &mut Solids<f32>, _: Part, _: f32, _: Plane3<f32>) {}
 
 /// The clearance of every configuration, with its derivatives by joints and radius. Pairs that are equally near share
 /// the derivative equally.
@@ -99,20 +83,20 @@ pub fn clearances(joints: &[Joints<f32>], radius: f32) -> Result<Found, Error> {
     }
     let mut by_arm = vec![Solids::filled(0.0); joints.len()];
     macro_rules! add {
-        ($kind:ident, $add_a:ident, $add_b:ident) => {
+        ($kind:ident, $A:ident, $B:ident) => {
             let columns = (&$kind.a[..], &$kind.b[..]);
             let (_, (by_a, by_b)) = cpu.aligned(SignedDistance.value_grad(), columns)?;
             for ((&(i, share, a, b), by_a), by_b) in $kind.at.iter().zip(by_a).zip(by_b) {
-                $add_a(&mut by_arm[i], a, share, by_a);
-                $add_b(&mut by_arm[i], b, share, by_b);
+                add(&mut by_arm[i], a, Form::$A(by_a.scaled_by(share)));
+                add(&mut by_arm[i], b, Form::$B(by_b.scaled_by(share)));
             }
         };
     }
-    add!(rr, add_round, add_round);
-    add!(rc, add_round, add_cubic);
-    add!(cc, add_cubic, add_cubic);
-    add!(fr, add_flat, add_round);
-    add!(fc, add_flat, add_cubic);
+    add!(rr, Round, Round);
+    add!(rc, Round, Cubic);
+    add!(cc, Cubic, Cubic);
+    add!(fr, Flat, Round);
+    add!(fc, Flat, Cubic);
     let columns = (columns, &by_arm[..]);
     (found.by_joints, found.by_radius) = cpu.aligned(function(solids).vjp(), columns)?;
     Ok(found)

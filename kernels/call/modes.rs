@@ -122,6 +122,7 @@ where
                 takes: leaves_of::<R>,
                 outputs: widths::<O::Out<R::Scalar>>,
                 arguments: O::DECLARED.arguments,
+                lower: O::DECLARED.lower,
                 line: const { &line_of::<O, R::Scalar>() },
             }
         },

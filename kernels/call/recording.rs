@@ -10,6 +10,7 @@ use crate::kernels::row::derivation::DerivativeStep;
 pub use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::derivation::Replays;
 use crate::kernels::row::item::Leaf;
+use crate::kernels::row::limits::LowerBound;
 use crate::kernels::row::once::{Key, RecordingCache, known_by};
 use crate::kernels::row::straight_line::{Line, by_reverse};
 use crate::{Real, Unrecordable};
@@ -81,6 +82,8 @@ pub struct Recording<T: Real> {
     pub(crate) arguments: &'static [&'static str],
     /// The kernels that the library has compiled for it.
     pub(crate) compiled: Option<Compiled>,
+    /// The lower bound of its result, from boxes around its arguments.
+    pub(crate) lower: LowerBound,
     pub(crate) body: Body<T>,
     made: RecordingCache,
 }
@@ -91,6 +94,7 @@ pub(crate) struct LineParts<T: Real> {
     pub(crate) takes: fn() -> Vec<Leaf<T>>,
     pub(crate) outputs: fn() -> Vec<usize>,
     pub(crate) arguments: &'static [&'static str],
+    pub(crate) lower: LowerBound,
     pub(crate) line: &'static Line<T>,
 }
 
@@ -117,6 +121,7 @@ impl<T: Real> Recording<T> {
             outputs,
             arguments,
             compiled: None,
+            lower: LowerBound::Unknown,
             body,
             made: RecordingCache::default(),
         }
@@ -132,6 +137,7 @@ impl<T: Real> Recording<T> {
             }
             Ok(Recording {
                 compiled,
+                lower: parts.lower,
                 ..Recording::new(
                     takes,
                     (parts.outputs)(),
@@ -196,21 +202,24 @@ impl<T: Real> Recording<T> {
 pub struct Call<T: Real> {
     pub(crate) recording: Arc<Recording<T>>,
     pub(crate) mode: Mode,
+    /// The lower bound of its result, from boxes around its arguments.
+    pub(crate) lower: LowerBound,
 }
 
 impl<T: Real> Clone for Call<T> {
     fn clone(&self) -> Self {
         Call {
             recording: Arc::clone(&self.recording),
-            mode: self.mode,
+            ..*self
         }
     }
 }
 
 impl<T: Real> Call<T> {
     /// Creates a call of a function's value.
-    pub(crate) const fn of(recording: Arc<Recording<T>>) -> Self {
+    pub(crate) fn of(recording: Arc<Recording<T>>) -> Self {
         Call {
+            lower: recording.lower,
             recording,
             mode: Mode::Value,
         }
@@ -222,8 +231,16 @@ impl<T: Real> Call<T> {
     ///
     /// The errors of recording the inner derivative.
     pub(crate) fn derived(self, mode: Mode) -> Result<Self, Error> {
+        let lower = match mode {
+            Mode::Value => self.lower,
+            _ => LowerBound::Unknown,
+        };
         let recording = self.function()?;
-        Ok(Call { recording, mode })
+        Ok(Call {
+            recording,
+            mode,
+            lower,
+        })
     }
     /// Returns the called function as a recording of its own, also if it is a derivative.
     pub(crate) fn function(self) -> Result<Arc<Recording<T>>, Error> {
@@ -231,6 +248,20 @@ impl<T: Real> Call<T> {
             Mode::Value => Ok(self.recording),
             inner => self.recording.derivative(inner),
         }
+    }
+    /// Returns the call of minus the function, whose result is one number.
+    ///
+    /// # Errors
+    ///
+    /// The errors of recording the function.
+    pub(crate) fn negated(&self) -> Result<Self, Error> {
+        let own = self.clone().function()?;
+        let made = own.made(Key::Negated, &|| {
+            let body = Body::Graph(Arc::new(own.program(Mode::Value)?.negated()));
+            let (takes, outputs) = (own.takes.clone(), own.outputs.clone());
+            Ok(Recording::new(takes, outputs, own.arguments, body))
+        })?;
+        Ok(Call::of(made))
     }
     /// Returns the name of column `k`: arguments come first, then cotangents.
     pub(crate) fn argument(&self, k: usize) -> Argument {

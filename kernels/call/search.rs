@@ -133,7 +133,9 @@ where
             steps: Vec::new(),
         });
         let (takes, outputs) = (leaves_of::<R>(), widths::<D::Out<R::Scalar>>());
-        Ok(Recording::new(takes, outputs, D::DECLARED.arguments, body))
+        let mut made = Recording::new(takes, outputs, D::DECLARED.arguments, body);
+        made.lower = D::DECLARED.lower;
+        Ok(made)
     });
     made.unwrap_or_else(|_: Error| unreachable!("a search is not recorded"))
 }

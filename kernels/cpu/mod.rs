@@ -34,6 +34,10 @@
 //! scattered. Suppression (`greedy`) computes only pairs with a kept shape. Small groups (`grouped`), such as the boxes
 //! of a frame, share the lanes of a tile.
 //!
+//! *The nearest.* `least` searches for least results. `lower_bounds` prepares boxes around shapes by recorded programs, and bounds
+//! the results of an item with all others from below; long lists are sorted along a curve. Others of the least bounds
+//! are computed first, and then those whose bound is not above the least result.
+//!
 //! *Same bits.* The cut into pieces does not depend on the number of threads, and sums are added in a fixed order. So
 //! bits never depend on level, position, threads or filter.
 //!
@@ -53,6 +57,8 @@ pub(crate) mod greedy;
 pub(crate) mod grouped;
 mod held;
 pub(crate) mod lane;
+pub(crate) mod least;
+mod lower_bounds;
 mod maker;
 pub(crate) mod matches;
 pub(crate) mod matrix;

@@ -2,7 +2,7 @@
 use crate::Real;
 use crate::error::{Argument, Error};
 use crate::kernels::call::folding::Folding;
-use crate::kernels::call::recording::Call;
+use crate::kernels::call::recording::{Body, Call};
 use crate::kernels::cpu::Processor;
 use crate::kernels::cpu::aligned::{checked, compute, compute_unchecked};
 use crate::kernels::cpu::checked::{
@@ -11,14 +11,17 @@ use crate::kernels::cpu::checked::{
 use crate::kernels::cpu::folds;
 use crate::kernels::cpu::greedy;
 use crate::kernels::cpu::grouped;
+use crate::kernels::cpu::least::Search;
+use crate::kernels::cpu::lower_bounds::Boxes;
 use crate::kernels::cpu::matrix;
 use crate::kernels::cpu::pairs::{self, Pairs};
-use crate::kernels::cpu::plan::{Plan, Shapes, plan};
+use crate::kernels::cpu::plan::{Plan, Shapes, axis_bounds, plan};
 use crate::kernels::cpu::ragged::{measured, measured_vjp};
 use crate::kernels::cpu::reductions;
 use crate::kernels::cpu::sweep::Upstream;
 use crate::kernels::machine::Column;
 use crate::kernels::machine::found::Best;
+use crate::kernels::machine::least::by_negation;
 use crate::kernels::machine::suppress::RankedShapes;
 use crate::kernels::machine::{Bests, FOREIGN, Founds, InMemory, MachineColumn, Matrix, Stored};
 use crate::kernels::machine::{
@@ -26,11 +29,14 @@ use crate::kernels::machine::{
 };
 use crate::kernels::machine::{GroupSpans, ranked_groups};
 use crate::kernels::machine::{Input, VertexBars};
+use crate::kernels::machine::{Least, LeastPairs};
 use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::item::counts::{entries, expect};
 use crate::kernels::row::item::{Leaf, Target};
+use crate::kernels::row::limits::LowerBound;
 use crate::scalar::real::in_format;
 use crate::suppression::{Rules, order};
+use std::sync::Arc;
 
 /// Returns an error for a column that stays on a GPU.
 pub(crate) fn check_here<T: Real>(columns: &[Column<'_, T>]) -> Result<(), Error> {
@@ -276,6 +282,46 @@ impl<T: Real> Engine<T> for Processor {
                 Reduced::Founds(Founds::new(InMemory(found)))
             }
         })
+    }
+
+    fn least(
+        &self,
+        call: &Call<T>,
+        lists: &[Column<'_, T>; 2],
+        groups: GroupSpans<'_>,
+        wanted: Least<T>,
+        ties: bool,
+    ) -> Result<LeastPairs<T>, Error> {
+        let bounds = match call.lower {
+            LowerBound::Unknown => None,
+            _ if !self.cull => None,
+            _ => Arc::unwrap_or_clone(axis_bounds(&call.recording)?),
+        };
+        let recording = &*call.recording;
+        let is_search = matches!(recording.body, Body::Search(_));
+        if bounds.is_none() && !ties && !is_search && recording.compiled.is_none() {
+            return by_negation(self, call, lists, groups, wanted);
+        }
+        let plan = plan(call, false)?;
+        check_here(lists)?;
+        if lists.iter().any(|list| list.len() >= u32::MAX as usize) {
+            return Err(Error::TooLarge);
+        }
+        for (k, list) in lists.iter().enumerate() {
+            check_argument(k, &plan.arguments, list)?;
+        }
+        let sorted = groups.count() == 1;
+        let boxes = bounds.map(|bounds| [0, 1].map(|k| Boxes::of(&lists[k], &bounds[k], sorted)));
+        let search = Search {
+            plan: &plan,
+            lists,
+            boxes,
+            squared: call.lower == LowerBound::SquaredDistance,
+            groups,
+            wanted,
+            ties,
+        };
+        Ok(search.run())
     }
 
     fn pull_back(

@@ -163,6 +163,7 @@ impl Operation {
         let is_one = recording.outputs.iter().sum::<usize>() == 1;
         (is_one || mode != Mode::ValueGrad).then(|| Function {
             gpu: None,
+            lower: None,
             mode,
             names: named(self.declared.arguments, recording.takes.len()),
             recording,

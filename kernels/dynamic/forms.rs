@@ -14,6 +14,7 @@ use crate::kernels::machine::{Engine, Items, Reduced, Reduction, Room, Seed, cou
 use crate::kernels::machine::{losses, try_then_check};
 use crate::kernels::row::item::Target;
 use crate::kernels::row::item::counts::{entries, expect};
+use crate::kernels::row::limits::LowerBound;
 use crate::kernels::{Backend, Cpu};
 use crate::scalar::real::in_format;
 use std::sync::Arc;
@@ -29,6 +30,8 @@ pub struct Function<T: Real> {
     pub(super) names: Vec<Argument>,
     /// The GPU that runs it; `None` for the CPU.
     pub(super) gpu: Option<Gpu>,
+    /// The lower bound of its result, if it is not the recording's.
+    pub(super) lower: Option<LowerBound>,
 }
 
 impl<T: Real> std::fmt::Debug for Function<T> {
@@ -50,6 +53,7 @@ impl<T: Real> Function<T> {
             names: named(recording.arguments, recording.takes.len()),
             recording,
             gpu: None,
+            lower: None,
         }
     }
     /// Returns this function on another machine. Without this call a function runs on the CPU.
@@ -80,7 +84,9 @@ impl<T: Real> Function<T> {
     }
     /// Returns the call that machines run.
     pub(crate) fn call(&self) -> Result<Call<T>, Error> {
-        Call::of(Arc::clone(&self.recording)).derived(self.mode)
+        let mut call = Call::of(Arc::clone(&self.recording));
+        call.lower = self.lower.unwrap_or(call.lower);
+        call.derived(self.mode)
     }
     /// Returns the name and the layout of every column that it takes; the last columns of an adjoint are cotangents.
     #[must_use]

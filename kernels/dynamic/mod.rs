@@ -37,6 +37,7 @@ mod described;
 mod fields;
 mod forms;
 mod grouped;
+mod least;
 mod machines;
 mod names;
 mod nodes;

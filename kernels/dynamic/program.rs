@@ -181,6 +181,7 @@ impl<T: Real> Program<T> {
     pub fn function(&self) -> Function<T> {
         Function {
             gpu: None,
+            lower: None,
             recording: Arc::clone(&self.inner.recording),
             mode: Mode::Value,
             names: self.inner.names.clone(),

@@ -11,6 +11,7 @@ use crate::kernels::machine::{
     Engine, GroupedReduction, Items, Machine, Numbers, On, Reduced, Reduction, Room, Sealed, Seed,
 };
 use crate::kernels::machine::{Input, VertexBars};
+use crate::kernels::machine::{Least, LeastPairs};
 use crate::kernels::row::item::Leaf;
 use crate::ring::Measure;
 use crate::suppression::Rules;
@@ -98,6 +99,16 @@ impl Engine<f32> for Device {
         _: GroupSpans<'_>,
         _: GroupedReduction<f32>,
     ) -> Result<Reduced<f32>, Error> {
+        match *self {}
+    }
+    fn least(
+        &self,
+        _: &Call<f32>,
+        _: &[Column<'_, f32>; 2],
+        _: GroupSpans<'_>,
+        _: Least<f32>,
+        _: bool,
+    ) -> Result<LeastPairs<f32>, Error> {
         match *self {}
     }
     fn pull_back(

@@ -65,10 +65,14 @@ impl<'a, T: Real, R: Results<Scalar = T>> From<&'a mut Matrix<T>> for TableRoom<
 }
 
 /// A call of two lists: the function, and both lists as numbers.
-type ListCall<'a, T> = (Call<T>, [Column<'a, T>; 2]);
+pub(super) type ListCall<'a, T> = (Call<T>, [Column<'a, T>; 2]);
 
 /// Returns the call of a function with every shape of two lists.
-fn list_call<'a, A, B, R>(run: &R, a: &'a A, b: &'a B) -> Result<ListCall<'a, Number<A>>, Error>
+pub(super) fn list_call<'a, A, B, R>(
+    run: &R,
+    a: &'a A,
+    b: &'a B,
+) -> Result<ListCall<'a, Number<A>>, Error>
 where
     A: Columns<Item: Single>,
     B: Columns<Item: Single<Scalar = Number<A>>>,

@@ -2,7 +2,7 @@
 use crate::Real;
 use crate::error::{Argument, Error, Validate};
 
-/// The largest score of a row or column, and its index.
+/// The largest score of a row or column, or the least, and its index.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Best<T = f32> {
     /// The score.
@@ -11,7 +11,7 @@ pub struct Best<T = f32> {
     pub index: usize,
 }
 
-/// A pair whose score is above a threshold.
+/// A pair of two lists and its score, such as one above a threshold.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Found<T = f32> {
     /// The row: a shape of the first list.
@@ -20,6 +20,46 @@ pub struct Found<T = f32> {
     pub column: usize,
     /// The score.
     pub value: T,
+}
+
+/// A search for the least results of the pairs within groups.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Least<T> {
+    /// The least of every row, at most a cap.
+    Rows(T),
+    /// The least of every column, at most a cap.
+    Columns(T),
+    /// The least of every group, at most a cap.
+    Groups(T),
+    /// Every pair below a limit.
+    Below(T),
+}
+
+impl<T: Real> Least<T> {
+    /// Returns the cap.
+    pub(crate) fn cap(self) -> T {
+        match self {
+            Least::Rows(cap) | Least::Columns(cap) | Least::Groups(cap) | Least::Below(cap) => cap,
+        }
+    }
+    /// Returns an error for a limit that is not finite and for a cap that is NaN.
+    pub(crate) fn check(self) -> Result<(), Error> {
+        match self {
+            Least::Below(limit) => check_threshold(limit),
+            _ if self.cap().equals(self.cap()) => Ok(()),
+            _ => check_threshold(self.cap()),
+        }
+    }
+}
+
+/// The result of a search for the least results.
+#[derive(Clone, Debug, Default)]
+pub struct LeastPairs<T> {
+    /// The first of the least pairs of every row, column or group; `None` without a finite result up to the cap.
+    pub best: Vec<Option<Found<T>>>,
+    /// Every pair below the limit, or every pair with the least result if ties are wanted; ordered by row and then by
+    /// column.
+    pub pairs: Vec<Found<T>>,
 }
 
 /// Returns an error for a largest score of nothing.

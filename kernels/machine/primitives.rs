@@ -2,6 +2,7 @@
 //!
 //! An engine implements these primitives; [`Machine`](super::Machine) builds every named call from them.
 use super::column::Column;
+use super::found::{Least, LeastPairs};
 use super::groups::GroupSpans;
 use super::machine_column::Numbers;
 use super::paths::{Input, VertexBars};
@@ -104,6 +105,18 @@ pub trait Engine<T: Real>: sealed::Sealed + Debug + Send + Sync {
         groups: GroupSpans<'_>,
         reduction: GroupedReduction<T>,
     ) -> Result<Reduced<T>, Error>;
+
+    /// Searches for the least results of the pairs within groups; offsets and search were checked. `ties` is `true` if
+    /// every pair with a least result is wanted.
+    #[doc(hidden)]
+    fn least(
+        &self,
+        call: &Call<T>,
+        lists: &[Column<'_, T>; 2],
+        groups: GroupSpans<'_>,
+        wanted: Least<T>,
+        ties: bool,
+    ) -> Result<LeastPairs<T>, Error>;
 
     /// Writes the cotangents of both lists from the cotangents of all results. Returns the sum of all results if one
     /// factor is the seed of all pairs, otherwise 0.

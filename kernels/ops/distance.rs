@@ -22,7 +22,8 @@ use crate::{Aabb2, Capsule2, Circle, Obb2, Segment2, Triangle2, Vec2};
 
 table! {
     /// The [distance](crate::distance::distance()) of {}.
-    Distance: (a, b) -> S { distance(a, b) } [rigid(1), symmetric] (jumps Never) derivative Reverse {
+    Distance: (a, b) -> S { distance(a, b) } [rigid(1), symmetric]
+    (lower Distance jumps Never) derivative Reverse {
         "distance_point_segment": Vec2, Segment2
             derivative ByHand |(a, b), out_bar| { distance_point_segment_vjp(a, b, out_bar) };
         "distance_segments": Segment2, Segment2 derivative ByHand |(a, b), out_bar| { distance_segments_vjp(a, b, out_bar) };
@@ -51,7 +52,8 @@ table! {
         "distance_obb2_circle": Obb2, Circle;
     }
     /// The [squared distance](crate::distance::squared_distance) of {}.
-    SquaredDistance: (a, b) -> S { squared_distance(a, b) } [rigid(2), symmetric] (jumps Never) derivative Reverse {
+    SquaredDistance: (a, b) -> S { squared_distance(a, b) } [rigid(2), symmetric]
+    (lower SquaredDistance jumps Never) derivative Reverse {
         "squared_distance_aabb2": Aabb2, Aabb2 { squared_distance_aabb2(a, b) };
         "squared_distance_obb2": Obb2, Obb2 { squared_distance_obb2(a, b) };
         "squared_distance_point_segment": Vec2, Segment2;
@@ -60,7 +62,8 @@ table! {
         "squared_distance_triangles": Triangle2, Triangle2;
     }
     /// The [signed distance](crate::distance::signed_distance) of {}.
-    SignedDistance: (a, b) -> S { signed_distance(a, b) } [rigid(1), symmetric] (jumps Never) derivative Reverse {
+    SignedDistance: (a, b) -> S { signed_distance(a, b) } [rigid(1), symmetric]
+    (lower Distance jumps Never) derivative Reverse {
         "signed_distance_aabb2": Aabb2, Aabb2 { signed_distance_aabb2(a, b) };
         "signed_distance_obb2": Obb2, Obb2 { signed_distance_obb2(a, b) };
         "signed_distance_point_obb2": Vec2, Obb2;

@@ -12,7 +12,8 @@ use crate::{
 
 table! {
     /// The [distance](crate::distance3::distance) of {}.
-    Distance: (a, b) -> S { distance(a, b) } [rigid(1), symmetric] (jumps Never) derivative Reverse {
+    Distance: (a, b) -> S { distance(a, b) } [rigid(1), symmetric]
+    (lower Distance jumps Never) derivative Reverse {
         "distance_point_aabb3": Vec3, Aabb3;
         "distance_point_yaw": Vec3, YawBox3;
         "distance_point_obb3": Vec3, Obb3;
@@ -68,7 +69,8 @@ table! {
         "distance_rays3": Ray3, Ray3 (jumps Anywhere);
     }
     /// The [squared distance](crate::distance3::squared_distance) of {}.
-    SquaredDistance: (a, b) -> S { squared_distance(a, b) } [rigid(2), symmetric] (jumps Never) derivative Reverse {
+    SquaredDistance: (a, b) -> S { squared_distance(a, b) } [rigid(2), symmetric]
+    (lower SquaredDistance jumps Never) derivative Reverse {
         "squared_distance_point_segment3": Vec3, Segment3;
         "squared_distance_point_triangle3": Vec3, Triangle3;
         "squared_distance_segments3": Segment3, Segment3;
@@ -77,7 +79,8 @@ table! {
         "squared_distance_obb3": Obb3, Obb3;
     }
     /// The [signed distance](crate::distance3::signed_distance) of {}.
-    SignedDistance: (a, b) -> S { signed_distance(a, b) } [rigid(1), symmetric] (jumps Never) derivative Reverse {
+    SignedDistance: (a, b) -> S { signed_distance(a, b) } [rigid(1), symmetric]
+    (lower Distance jumps Never) derivative Reverse {
         "signed_distance_point_aabb3": Vec3, Aabb3;
         "signed_distance_point_yaw": Vec3, YawBox3;
         "signed_distance_point_obb3": Vec3, Obb3;

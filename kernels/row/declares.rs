@@ -4,7 +4,7 @@ use crate::Fixed;
 #[cfg(feature = "check")]
 use crate::ad::declared::{Effect, Motion};
 use crate::ad::declared::{Invariance, Jumps};
-use crate::kernels::row::limits::{Derivative, Extremes, Finite, Limits, Range};
+use crate::kernels::row::limits::{Derivative, Extremes, Finite, Limits, LowerBound, Range};
 use std::fmt::Debug;
 
 /// The declared properties of a function.
@@ -37,6 +37,8 @@ pub struct Declared {
     pub range: Range,
     /// The results of identical shapes and of shapes apart.
     pub extremes: Extremes,
+    /// The lower bound of the result, from boxes around both arguments.
+    pub lower: LowerBound,
     /// The domain as a condition of the argument's numbers, in addition to the rules of its shapes; `None` for
     /// everywhere. The harness and the fuzzer test inputs inside only; batches compute outside, too.
     pub domain: Option<fn(&[f64]) -> bool>,
@@ -77,6 +79,8 @@ properties! {
     range: Range;
     /// Declares the results of identical shapes and of shapes apart.
     extremes: Extremes;
+    /// Declares the lower bound of the result, from boxes around both arguments; the default is none.
+    lower: LowerBound;
 }
 
 impl Declared {
@@ -93,6 +97,7 @@ impl Declared {
             finite: Finite::Within(Limits::ORDINARY),
             range: Range::ANY,
             extremes: Extremes::Undeclared,
+            lower: LowerBound::Unknown,
             domain: None,
             resolution: [0.0; 2],
             roundings: None,
@@ -180,6 +185,7 @@ macro_rules! __declared {
             $(finite $finite:ident $(($limits:expr))?)?
             $(range $range:ident)?
             $(extremes $extremes:ident)?
+            $(lower $lower:ident)?
             $(jumps $jumps:ident)?
             $(domain $domain:block)?
             $(resolution $absolute:literal)?
@@ -196,6 +202,7 @@ macro_rules! __declared {
             $(.finite($crate::__private::Finite::$finite $(($limits))?))?
             $(.range($crate::__private::Range::$range))?
             $(.extremes($crate::__private::Extremes::$extremes))?
+            $(.lower($crate::__private::LowerBound::$lower))?
             $(.jumps($crate::__private::Jumps::$jumps))?
             $(.domain(|numbers| {
                 #[allow(unused_parens, unused_variables)]

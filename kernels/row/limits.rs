@@ -107,6 +107,30 @@ pub enum Extremes {
     One,
 }
 
+/// A lower bound of a result of two shapes, from axis-aligned boxes around both. Searches for the least result skip
+/// pairs by it.
+///
+/// Boxes that contain the shapes are nearer, or overlap more deeply, than these.
+///
+/// ```
+/// use geograd::kernels::op::{Declares, LowerBound};
+/// use geograd::kernels::{Distance, RowOf};
+/// use geograd::{Capsule3, Obb3};
+/// let declared = <RowOf<Distance, (Capsule3<f64>, Obb3<f64>)>>::DECLARED;
+/// assert_eq!(declared.lower, LowerBound::Distance);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum LowerBound {
+    /// None is known.
+    #[default]
+    Unknown,
+    /// The signed distance of both boxes.
+    Distance,
+    /// The squared distance of both boxes.
+    SquaredDistance,
+}
+
 /// The source of an operation's derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Derivative {

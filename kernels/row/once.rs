@@ -27,6 +27,10 @@ pub(crate) enum Key {
     Replays(Mode),
     /// A derivative as a function.
     Derived(Mode),
+    /// Minus the function.
+    Negated,
+    /// The bounds of its arguments along the axes.
+    AxisBounds,
     /// A derivative along directions as a function.
     Along(Order),
 }

@@ -33,7 +33,7 @@ use crate::kernels::row::compiled::Compiled;
 pub use crate::kernels::row::declares::{Declared, Declares};
 use crate::kernels::row::derivation::Mode;
 pub use crate::kernels::row::derivatives::{Hvp, Jacobian, Jvp, ValueGrad, Vjp};
-pub use crate::kernels::row::limits::{Derivative, Extremes, Finite, Limits, Range};
+pub use crate::kernels::row::limits::{Derivative, Extremes, Finite, Limits, LowerBound, Range};
 use crate::kernels::row::straight_line::Line;
 use crate::{Fixed, Pack, Real, Scalar};
 use std::any::TypeId;

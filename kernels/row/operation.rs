@@ -16,6 +16,7 @@
 /// | \[`finite`\] | `Always`, `Within(limits)`, `Values(limits)`, `Undeclared`: [`Finite`](crate::kernels::op::Finite) |
 /// | \[`range`\] | `RATIO`, `SIGNED`, `NOT_NEGATIVE`, …: the constants of [`Range`](crate::kernels::op::Range) |
 /// | \[`extremes`\] | `Shared`, `Ratio`, `Union`, `One`: [`Extremes`](crate::kernels::op::Extremes) |
+/// | \[`lower`\] | `Distance`, `SquaredDistance`: [`LowerBound`](crate::kernels::op::LowerBound), by which searches for the nearest skip pairs |
 /// | `jumps` | `Never`, `FromZero` (where the value leaves zero), `Anywhere` |
 /// | \[`domain { … }`\] | a condition of the arguments outside of which nothing is checked |
 /// | \[`resolution x`\], \[`relative_resolution x`\] | the error of a value beyond rounding |

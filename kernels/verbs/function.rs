@@ -7,6 +7,7 @@ use crate::kernels::call::recording::{Body, Call, Recording};
 use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::derivatives::{Hvp, Jvp};
 use crate::kernels::row::item::{Item, leaves_of, widths};
+use crate::kernels::row::limits::LowerBound;
 use crate::kernels::row::once::known;
 use crate::kernels::row::op::{Jacobian, ValueGrad, Vjp};
 use crate::{Fixed, Real};
@@ -224,4 +225,45 @@ fn recording<In: Item<Scalar: Real>, F: Traced<In>>(
             body,
         ))
     })
+}
+
+/// A function with a lower bound of its result; see [`at_least`].
+#[derive(Clone, Copy, Debug)]
+pub struct AtLeast<F>(F, LowerBound);
+
+/// Declares a lower bound of a function of two shapes, from axis-aligned boxes around both: searches for the nearest
+/// skip pairs by it.
+///
+/// The shapes are the library's, or derive their boxes by `#[shape(bounding)]`. A bound that does not hold makes
+/// results wrong without an error.
+///
+/// ```
+/// use geograd::kernels::op::LowerBound;
+/// use geograd::kernels::{at_least, function};
+/// use geograd::prelude::*;
+/// /// The free way from a point to a box, and half a metre more.
+/// fn way<S: Scalar>(point: Vec2<S>, car: Obb2<S>) -> S {
+///     car.distance(point) + S::lit(0.5)
+/// }
+/// let points = [Vec2::new(3.0_f64, 0.0), Vec2::new(0.0, 9.0)];
+/// let cars = [Obb2::new(0.0, 0.0, 4.0, 2.0, 0.0), Obb2::new(0.0, 7.0, 4.0, 2.0, 0.0)];
+/// let way = at_least(LowerBound::Distance, function(way));
+/// let near = Cpu::new().row_min(way, &points, &cars)?;
+/// assert_eq!(near[1].value, 1.5);
+/// # Ok::<(), geograd::Error>(())
+/// ```
+#[must_use]
+pub const fn at_least<F>(lower: LowerBound, run: F) -> AtLeast<F> {
+    AtLeast(run, lower)
+}
+
+impl<R: Item, F: Function<R>> Function<R> for AtLeast<F> {
+    type Out = F::Out;
+    fn call(&self) -> Result<Call<R::Scalar>, Error> {
+        let lower = self.1;
+        Ok(Call {
+            lower,
+            ..self.0.call()?
+        })
+    }
 }

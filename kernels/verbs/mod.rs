@@ -32,7 +32,7 @@ mod function;
 mod list;
 pub mod methods;
 
-pub use function::{Arguments, OwnFunction, function};
+pub use function::{Arguments, AtLeast, OwnFunction, at_least, function};
 pub use list::*;
 
 use crate::Fixed;

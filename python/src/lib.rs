@@ -10,6 +10,7 @@ mod forms;
 mod grouped;
 mod machine;
 mod metric;
+mod nearest;
 mod number;
 mod overlay;
 mod pairs;

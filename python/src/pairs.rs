@@ -23,10 +23,18 @@ pub enum Pairs {
     SumGrad,
     MeanGrad,
     Vjp,
+    RowMin,
+    ColumnMin,
+    Nearest,
+    Below,
+    CountBelow,
+    RowMinGrad,
+    ColumnMinGrad,
+    NearestGrad,
 }
 
 impl Pairs {
-    const ALL: [(&'static str, Pairs); 10] = [
+    const ALL: [(&'static str, Pairs); 18] = [
         ("all_pairs", Pairs::All),
         ("row_max", Pairs::RowMax),
         ("column_max", Pairs::ColumnMax),
@@ -37,6 +45,14 @@ impl Pairs {
         ("sum_grad", Pairs::SumGrad),
         ("mean_grad", Pairs::MeanGrad),
         ("all_pairs_vjp", Pairs::Vjp),
+        ("row_min", Pairs::RowMin),
+        ("column_min", Pairs::ColumnMin),
+        ("nearest", Pairs::Nearest),
+        ("below", Pairs::Below),
+        ("count_below", Pairs::CountBelow),
+        ("row_min_grad", Pairs::RowMinGrad),
+        ("column_min_grad", Pairs::ColumnMinGrad),
+        ("nearest_grad", Pairs::NearestGrad),
     ];
     /// Returns the form of a name.
     pub fn named(name: &str) -> PyResult<Pairs> {
@@ -76,6 +92,7 @@ impl<'py> Call<'_, 'py> {
                 .into_any()),
             (Pairs::SumGrad | Pairs::MeanGrad, _) => self.total_grad(form == Pairs::MeanGrad),
             (Pairs::Vjp, _) => self.all_pairs_vjp(more()?),
+            (_, groups) => self.nearest(form, more()?, groups),
         }
     }
     /// Both lists of a call of all pairs.
@@ -114,7 +131,7 @@ impl<'py> Call<'_, 'py> {
             .map_err(|_| PyTypeError::new_err("two lists are needed"))
     }
     /// Both lists of every batch: the axes of the batches, and the lists, each with all of these axes.
-    fn batched<T: Number>(
+    pub fn batched<T: Number>(
         &self,
         given: Vec<CallArgument<'py>>,
     ) -> PyResult<(Vec<usize>, [ArgumentNumbers<'py, T>; 2])> {
@@ -162,7 +179,7 @@ impl<'py> Call<'_, 'py> {
         Ok((batches, fitted))
     }
     /// The lists of every batch, and how many rows each has.
-    fn each<'a, T: Number>(
+    pub fn each<'a, T: Number>(
         &self,
         batches: &[usize],
         lists: &[ArgumentNumbers<'py, T>; 2],
@@ -407,7 +424,7 @@ impl<'py> Call<'_, 'py> {
             .into_pyobject(self.py)?
             .into_any())
     }
-    fn shapes_of(&self, given: &[CallArgument<'py>]) -> Vec<Vec<usize>> {
+    pub fn shapes_of(&self, given: &[CallArgument<'py>]) -> Vec<Vec<usize>> {
         let shape = |given: &CallArgument<'py>| match given {
             CallArgument::Array(array) => array.shape().to_vec(),
             CallArgument::Columns(columns) => {

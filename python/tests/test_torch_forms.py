@@ -90,6 +90,30 @@ def test_row_max_and_column_max():
     assert torch.isinf(values).all() and (places == -1).all()
 
 
+def test_the_nearest_of_many():
+    a, b = tensors(MANY, B)
+    gap = geograd.torch.signed_distance
+    matrix = gap.all_pairs(a, b, **KIND)
+    for form, axis in (("row_min", 1), ("column_min", 0)):
+        values, places = getattr(gap, form)(a, b, **KIND)
+        expected = getattr(geograd.signed_distance, form)(MANY, B, **KIND)
+        np.testing.assert_array_equal(values.detach().numpy(), expected[0])
+        np.testing.assert_array_equal(places.numpy(), expected[1])
+        grads = torch.autograd.grad(values.sum(), (a, b))
+        best = matrix.min(axis).values.sum()
+        for grad, own in zip(grads, torch.autograd.grad(best, (a, b), retain_graph=True)):
+            torch.testing.assert_close(grad, own, rtol=1e-12, atol=1e-12)
+    value, row, column = gap.nearest(a, b, **KIND)
+    assert value.shape == () and value == matrix.min() == matrix[row, column]
+    (grad,) = torch.autograd.grad(value, a)
+    assert torch.count_nonzero(grad.any(1)) == 1
+    rows, columns, values = gap.below(a, b, 0.5, **KIND)
+    assert gap.count_below(a, b, 0.5, **KIND) == len(rows) == int((matrix < 0.5).sum())
+    torch.testing.assert_close(values, matrix[rows, columns], rtol=0, atol=0)
+    values, places = gap.row_min(a, b, within=-99.0, **KIND)
+    assert torch.isinf(values).all() and (places == -1).all()
+
+
 def test_groups():
     a, b = tensors(MANY, B)
     groups = (torch.tensor([0, 5, 5, 12]), [0, 2, 3, 3])

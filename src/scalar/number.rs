@@ -441,6 +441,41 @@ pub trait Fixed: Pack<Scalar: Copy + Send + Sync> + Copy + Send + Sync + 'static
     /// When there are fewer.
     #[inline]
     fn store_codes(self, _to: &mut [u32]) {}
+    /// Returns the shape with the scalars of another one added, such as those of a gradient or of a step. It keeps its
+    /// codes.
+    ///
+    /// ```
+    /// use geograd::{Circle, Fixed, Vec2};
+    /// let (wheel, gradient) = (Circle::new(Vec2::new(0.0, 1.0), 2.0), Circle::new(Vec2::new(1.0, 0.0), -1.0));
+    /// let stepped = wheel.plus(gradient.scaled_by(-0.5));
+    /// assert_eq!(stepped, Circle::new(Vec2::new(-0.5, 1.0), 2.5));
+    /// ```
+    #[inline]
+    #[must_use]
+    fn plus(mut self, other: Self) -> Self
+    where
+        Self::Scalar: Scalar,
+    {
+        let mut others = other.scalars().into_iter();
+        self.each(&mut |x| *x = *x + others.next().unwrap_or(Self::Scalar::zero()));
+        self
+    }
+    /// Returns the shape with every scalar multiplied by a factor. It keeps its codes.
+    #[inline]
+    #[must_use]
+    fn scaled_by(mut self, factor: Self::Scalar) -> Self
+    where
+        Self::Scalar: Scalar,
+    {
+        self.each(&mut |x| *x = *x * factor);
+        self
+    }
+    /// Returns the lower bounds along the axes, two or three, and then the upper ones; nothing for a shape without
+    /// known bounds. `#[shape(bounding)]` takes them from the shape's method `bounding`.
+    #[must_use]
+    fn axis_bounds(self) -> Vec<Self::Scalar> {
+        Vec::new()
+    }
 
     /// Returns the names of all scalars, first field first.
     #[must_use]

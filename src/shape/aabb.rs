@@ -13,7 +13,7 @@ use crate::{Scalar, Shape, Vec2};
 /// assert_eq!(a.iou(b), 1.0 / 7.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
-#[shape(except(Sample))]
+#[shape(bounding, except(Sample))]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Aabb2<S> {
@@ -36,6 +36,11 @@ impl<S> Aabb2<S> {
 }
 
 impl<S: Scalar> Aabb2<S> {
+    /// Returns the box itself.
+    #[inline(always)]
+    pub(crate) const fn bounding(self) -> Self {
+        self
+    }
     /// Creates a box from lower and upper bounds.
     ///
     /// # Errors

@@ -25,7 +25,7 @@ pub const FACES: [[usize; 4]; 6] = [
 /// assert_eq!(a.surface(), 24.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
-#[shape(except(Sample))]
+#[shape(bounding, except(Sample))]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Aabb3<S> {
@@ -45,6 +45,11 @@ impl<S> Aabb3<S> {
 }
 
 impl<S: Scalar> Aabb3<S> {
+    /// Returns the box itself.
+    #[inline(always)]
+    pub(crate) const fn bounding(self) -> Self {
+        self
+    }
     /// Returns the smallest box around the points; `None` without points. Points that share a bound share its
     /// derivative equally.
     #[must_use]

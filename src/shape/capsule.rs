@@ -16,6 +16,7 @@ use std::ops::Mul;
 /// assert!((boat.area() - (8.0 + std::f64::consts::PI)).abs() < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(bounding)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Capsule2<S> {

@@ -17,6 +17,7 @@ use std::ops::Mul;
 /// assert!((link.volume() - 13.0 / 3.0 * std::f64::consts::PI).abs() < 1e-14);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(bounding)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Capsule3<S> {

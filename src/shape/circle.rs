@@ -16,6 +16,7 @@ use std::ops::Mul;
 /// assert_eq!(wheel.bounding().min, Vec2::new(0.5, -0.5));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(bounding)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Circle<S> {

@@ -19,6 +19,7 @@ use std::ops::Mul;
 /// assert!(!hat.contains(Vec3::new(0.4, 0.0, 2.0)));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(bounding)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Cone<S> {

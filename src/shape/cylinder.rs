@@ -18,6 +18,7 @@ use std::ops::Mul;
 /// assert!(!can.contains(Vec3::new(0.0, 0.0, 2.1)));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(bounding)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Cylinder<S> {

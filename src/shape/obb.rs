@@ -16,7 +16,7 @@ use std::ops::Mul;
 /// assert_eq!(a.iou(a), 1.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
-#[shape(except(Sample))]
+#[shape(bounding, except(Sample))]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Obb2<S> {

@@ -15,7 +15,7 @@ use std::ops::Mul;
 /// assert!(a.contains(tilted * Vec3::new(1.9, 0.9, 0.4)));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
-#[shape(except(Sample))]
+#[shape(bounding, except(Sample))]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Obb3<S> {

@@ -19,6 +19,7 @@ use std::ops::Mul;
 /// assert_eq!(link.bounding().max, Vec3::new(2.5, 1.5, 1.5));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(bounding)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RoundBox3<S> {

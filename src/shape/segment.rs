@@ -13,6 +13,7 @@ use std::ops::Mul;
 /// assert_eq!(curb.nearest(Vec2::new(9.0, 1.0)), Vec2::new(4.0, 0.0));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(bounding)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Segment2<S> {

@@ -12,6 +12,7 @@ use std::ops::Mul;
 /// assert_eq!(edge.nearest(Vec3::new(5.0, 1.0, 0.0)), Vec3::new(2.0, 0.0, 0.0));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(bounding)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Segment3<S> {

@@ -13,6 +13,7 @@ use std::ops::Mul;
 /// assert_eq!(ball.signed_distance(Vec3::new(4.0, 0.0, 0.0)), 1.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(bounding)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sphere<S> {

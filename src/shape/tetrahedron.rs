@@ -15,6 +15,7 @@ use std::ops::Mul;
 /// assert!(solid.contains(Vec3::new(0.25, 0.25, 0.25)));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(bounding)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Tetrahedron<S> {

@@ -18,6 +18,7 @@ use std::ops::Mul;
 /// assert!(sail.contains(Vec2::new(1.0, 1.0)));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(bounding)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Triangle2<S> {

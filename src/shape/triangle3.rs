@@ -16,6 +16,7 @@ use std::ops::Mul;
 /// assert_eq!(half.normal(), Vec3::new(0.0, 0.0, 1.0));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(bounding)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Triangle3<S> {

@@ -7,6 +7,7 @@ use std::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 macro_rules! vector {
     ($(#[$about:meta])* $name:ident { $($field:ident),* }) => {
         #[derive(Clone, Copy, Debug, Default, PartialEq, Shape)]
+        #[shape(bounding)]
         $(#[$about])*
         #[repr(C)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -26,6 +27,11 @@ macro_rules! vector {
         }
 
         impl<S: Scalar> $name<S> {
+            /// Returns the lower and the upper corner of the box that is the point.
+            #[inline(always)]
+            pub(crate) const fn bounding(self) -> [Self; 2] {
+                [self, self]
+            }
             /// Returns the zero vector.
             #[inline(always)]
             pub fn zero() -> Self {

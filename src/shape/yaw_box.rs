@@ -13,7 +13,7 @@ use crate::{Obb2, Scalar, Shape, Vec2, Vec3};
 /// assert!((car.volume() - 12.8).abs() < 1e-14);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
-#[shape(except(Sample))]
+#[shape(bounding, except(Sample))]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct YawBox3<S> {

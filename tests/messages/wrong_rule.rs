@@ -2,7 +2,7 @@
 //~ `count` is a count or code: rules are of scalars
 //~ there is no field `tail`
 //~ `head` is compared with `head`: name another field of scalars
-//~ a shape knows `non_zero`, `validate = function`
+//~ a shape knows `non_zero`, `bounding`, `validate = function`
 use geograd::prelude::*;
 
 #[derive(Clone, Copy, Debug, PartialEq, geograd::Shape)]

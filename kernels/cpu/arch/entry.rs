@@ -2,7 +2,7 @@
 //! lack.
 use crate::Vec2;
 use crate::kernels::cpu::arch::BoundCode;
-use crate::kernels::cpu::blocks;
+use crate::kernels::cpu::blocks::{self, SPACE};
 use crate::kernels::cpu::boxes3;
 use crate::kernels::cpu::lane::{Lane, Planes, ResultTiles, TILE, Tiles};
 use crate::kernels::cpu::nearest;
@@ -136,6 +136,10 @@ entries! {
     near(row: &[T; BOUNDS], bounds: Tiles<'_, T>, first: u32, hits: &mut [u32]) -> usize = blocks::near::<T, V>;
     /// The items of a tree whose bounds meet those of a row, as indices.
     search(row: &[T; BOUNDS], levels: &[Vec<Lane<T>>], room: &mut Vec<u32>) -> [usize; 2] = blocks::search::<T, V>;
+    /// Boxes of space, widened by the errors of distances.
+    widen(boxes: &mut [Lane<T>]) = blocks::widen::<T, V>;
+    /// Lower bounds of the distances of boxes from one box, or of their squares.
+    gaps(own: &[T; SPACE], boxes: Tiles<'_, T>, squared: bool, out: &mut [Lane<T>]) = blocks::gaps::<T, V>;
     /// Results of picked columns, put into a row per field.
     scatter(results: Planes<'_, T>, columns: &[u32], first: usize, rows: &mut [T], stride: usize) = blocks::scatter::<T, V>;
     /// Derivatives of all columns, added up.

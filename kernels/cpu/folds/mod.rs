@@ -207,6 +207,7 @@ fn plan<T: Real>(
             check: |_: &[T]| Ok(()),
             quick: Quick::Always,
             rules: &[],
+            axis_bounds: |_| Vec::new(),
         };
         let arguments = [sizes.wide, 2 * sizes.element]
             .into_iter()

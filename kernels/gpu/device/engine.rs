@@ -136,6 +136,17 @@ impl Engine<f32> for Device {
         DeviceLists::new(self, call, lists)?.reduce_grouped(groups, reduction)
     }
 
+    fn least(
+        &self,
+        call: &Call<f32>,
+        lists: &[Column<'_, f32>; 2],
+        groups: GroupSpans<'_>,
+        wanted: machine::Least<f32>,
+        _ties: bool,
+    ) -> Result<machine::LeastPairs<f32>, Error> {
+        machine::least::by_negation(self, call, lists, groups, wanted)
+    }
+
     fn pull_back(
         &self,
         call: &Call<f32>,

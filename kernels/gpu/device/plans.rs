@@ -64,6 +64,7 @@ impl Call<f32> {
         Ok(Call {
             recording: Arc::new(own),
             mode: self.mode,
+            lower: self.lower,
         })
     }
 }

@@ -1,5 +1,6 @@
 //! Layouts of items, and the memory for their results.
 use super::memory;
+use crate::ad::program::Sym;
 use crate::error::{Field, Flaw, Validate};
 use crate::overlap_polygon::check_quad;
 use crate::shape::{Obb3, YawBox3};
@@ -24,6 +25,8 @@ pub struct Leaf<T> {
     pub quick: Quick,
     /// The rules of its numbers, as far as they are data ([`Validate::RULES`]).
     pub rules: &'static [Rule],
+    /// The bounds along the axes, from the scalars: [`Fixed::axis_bounds`].
+    pub(crate) axis_bounds: fn(&[Sym<T>]) -> Vec<Sym<T>>,
 }
 
 /// A quick test of many numbers, which accepts only valid shapes, and perhaps not all of them.
@@ -76,6 +79,7 @@ impl<T: Real> Leaf<T> {
             },
             quick: Quick::Finite,
             rules: &[],
+            axis_bounds: |_| Vec::new(),
         }
     }
     /// Returns the layout of the scalars alone; beside codes they belong to no shape.
@@ -291,6 +295,7 @@ pub fn leaf<P: Item + Validate>() -> Leaf<P::Scalar> {
         check: |numbers| get::<P>(numbers).validate(),
         quick: quick_of::<P>(),
         rules: P::RULES,
+        axis_bounds: |numbers| P::Of::<Sym<P::Scalar>>::load(numbers).axis_bounds(),
     }
 }
 

@@ -226,6 +226,44 @@ class _Forms:
         """Every pair, with groups every pair of a group, whose result is above a threshold: rows of `a`, rows of `b`, results."""
     def count_above(self, a: Any, b: Any, threshold: float, *, kind: Kind = ..., backend: Backend = ...) -> int:
         """How many pairs have a result above a threshold."""
+    def row_min(
+        self, a: Any, b: Any, *, within: Optional[float] = ..., groups: Groups = ...,
+        lower: Optional[str] = ..., kind: Kind = ..., backend: Backend = ...
+    ) -> tuple[Array, Array]:
+        """The least result of every row of `a`, and its row of `b`; inf and -1 where none is at most `within`."""
+    def column_min(
+        self, a: Any, b: Any, *, within: Optional[float] = ..., groups: Groups = ...,
+        lower: Optional[str] = ..., kind: Kind = ..., backend: Backend = ...
+    ) -> tuple[Array, Array]:
+        """The least result of every row of `b`, and its row of `a`; inf and -1 where none is at most `within`."""
+    def nearest(
+        self, a: Any, b: Any, *, within: Optional[float] = ..., groups: Groups = ...,
+        lower: Optional[str] = ..., kind: Kind = ..., backend: Backend = ...
+    ) -> tuple[Array, Array, Array]:
+        """The least result of all pairs, or of every group, and its rows of `a` and of `b`; inf and -1 where there is none."""
+    def below(
+        self, a: Any, b: Any, limit: float, *, groups: Groups = ..., lower: Optional[str] = ..., kind: Kind = ..., backend: Backend = ...
+    ) -> tuple[Array, Array, Array]:
+        """Every pair, with groups every pair of a group, whose result is below a limit: rows of `a`, rows of `b`, results."""
+    def count_below(
+        self, a: Any, b: Any, limit: float, *, groups: Groups = ..., lower: Optional[str] = ..., kind: Kind = ..., backend: Backend = ...
+    ) -> int:
+        """How many pairs have a result below a limit."""
+    def row_min_grad(
+        self, a: Any, b: Any, *, within: Optional[float] = ..., groups: Groups = ...,
+        lower: Optional[str] = ..., kind: Kind = ..., backend: Backend = ...
+    ) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
+        """What `row_min` returns, and the gradients of the sum of its finite results by both lists."""
+    def column_min_grad(
+        self, a: Any, b: Any, *, within: Optional[float] = ..., groups: Groups = ...,
+        lower: Optional[str] = ..., kind: Kind = ..., backend: Backend = ...
+    ) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
+        """What `column_min` returns, and the gradients of the sum of its finite results by both lists."""
+    def nearest_grad(
+        self, a: Any, b: Any, *, within: Optional[float] = ..., groups: Groups = ...,
+        lower: Optional[str] = ..., kind: Kind = ..., backend: Backend = ...
+    ) -> tuple[tuple[Array, Array, Array], tuple[Array, Array]]:
+        """What `nearest` returns, and the gradients of the sum of its finite results by both lists."""
     def sum(self, a: Any, b: Any, *, kind: Kind = ..., backend: Backend = ...) -> float:
         """The sum of the results of all pairs."""
     def mean(self, a: Any, b: Any, *, kind: Kind = ..., backend: Backend = ...) -> float:

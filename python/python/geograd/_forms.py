@@ -88,6 +88,50 @@ class Forms:
         """How many pairs have a result above a threshold."""
         return self._of_pairs("count_above", a, b, _number(threshold, "threshold"), kind, None, backend)
 
+    def row_min(self, a, b, *, within=None, groups=None, lower=None, kind=None, backend=None):
+        """The least result of every row of `a`, and its row of `b`; inf and -1 where none is at most `within`.
+
+        Of equal results the first counts, and only finite ones do. Distances compute few of the pairs, by boxes around
+        their shapes; a function of one's own with `lower="distance"` or "squared_distance" does so, too: its result is
+        at least that of the boxes."""
+        return self._nearest("row_min", a, b, within, lower, kind, backend, groups)
+
+    def column_min(self, a, b, *, within=None, groups=None, lower=None, kind=None, backend=None):
+        """The least result of every row of `b`, and its row of `a`; inf and -1 where none is at most `within`."""
+        return self._nearest("column_min", a, b, within, lower, kind, backend, groups)
+
+    def nearest(self, a, b, *, within=None, groups=None, lower=None, kind=None, backend=None):
+        """The least result of all pairs, or of every group, and its rows of `a` and of `b`; inf and -1 where none is at most
+        `within`."""
+        return self._nearest("nearest", a, b, within, lower, kind, backend, groups)
+
+    def below(self, a, b, limit, *, groups=None, lower=None, kind=None, backend=None):
+        """Every pair, with groups every pair of a group, whose result is below a limit: rows of `a`, rows of `b`, results."""
+        return self._nearest("below", a, b, _number(limit, "limit"), lower, kind, backend, groups)
+
+    def count_below(self, a, b, limit, *, groups=None, lower=None, kind=None, backend=None):
+        """How many pairs have a result below a limit."""
+        return self._nearest("count_below", a, b, _number(limit, "limit"), lower, kind, backend, groups)
+
+    def row_min_grad(self, a, b, *, within=None, groups=None, lower=None, kind=None, backend=None):
+        """What `row_min` returns, and the gradients of the sum of its finite results by both lists: that of a row of `a` is
+        the gradient of its own result. Equal results share theirs; on a GPU the first has all."""
+        return self._nearest("row_min_grad", a, b, within, lower, kind, backend, groups)
+
+    def column_min_grad(self, a, b, *, within=None, groups=None, lower=None, kind=None, backend=None):
+        """What `column_min` returns, and the gradients of the sum of its finite results by both lists."""
+        return self._nearest("column_min_grad", a, b, within, lower, kind, backend, groups)
+
+    def nearest_grad(self, a, b, *, within=None, groups=None, lower=None, kind=None, backend=None):
+        """What `nearest` returns, and the gradients of the sum of its finite results by both lists."""
+        return self._nearest("nearest_grad", a, b, within, lower, kind, backend, groups)
+
+    def _nearest(self, form, a, b, cap, lower, kind, backend, groups):
+        if lower is not None and not isinstance(lower, str):
+            raise TypeError(f"lower: a name is needed, not {lower!r}")
+        more = None if cap is None else _number(cap, "within"), lower
+        return self._of_pairs(form, a, b, more, kind, None, backend, groups)
+
     def sum(self, a, b, *, kind=None, backend=None):
         """The sum of the results of all pairs."""
         return self._of_pairs("sum", a, b, None, kind, None, backend)

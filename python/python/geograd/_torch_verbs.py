@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import torch
 
 import geograd
@@ -152,6 +153,64 @@ class Verb:
             pairs = (a[own], b[other]) if form == "row_max" else (a[other], b[own])
             values = values.index_copy(0, found, self(*pairs, kind=kind))
         return values, places
+
+    @torch.compiler.disable
+    def row_min(self, a, b, *, within=None, groups=None, lower=None, kind=None):
+        """The least result of every row of ``a``, with derivatives, and its row of ``b``.
+
+        They are inf and -1 where no result is at most ``within``. Of equal results the first has the derivative.
+        """
+        return self._least("row_min", a, b, within, groups, lower, kind)
+
+    @torch.compiler.disable
+    def column_min(self, a, b, *, within=None, groups=None, lower=None, kind=None):
+        """The same of every row of ``b``."""
+        return self._least("column_min", a, b, within, groups, lower, kind)
+
+    @torch.compiler.disable
+    def nearest(self, a, b, *, within=None, groups=None, lower=None, kind=None):
+        """The least result of all pairs, or of every group, with derivatives, and its rows of ``a`` and of ``b``."""
+        return self._least("nearest", a, b, within, groups, lower, kind)
+
+    def _least(self, form, a, b, within, groups, lower, kind):
+        node, (a, b) = self._two(form, a, b, kind)
+        _torch.lacks(f"{self.__name__}.{form}", a, a.is_cuda)
+        groups = None if groups is None else tuple(map(_offsets, groups))
+        arrays = a.detach().numpy(), b.detach().numpy()
+        found = getattr(node.base.verb, form)(*arrays, within=within, groups=groups, lower=lower, kind=node.base.kinds)
+        values, *places = (torch.from_numpy(np.asarray(x)) for x in found)
+        if torch.is_grad_enabled() and (a.requires_grad or b.requires_grad):
+            own = torch.nonzero(places[0].reshape(-1) >= 0).squeeze(-1)
+            rows = [place.reshape(-1)[own] for place in places]
+            if form == "row_min":
+                rows.insert(0, own)
+            elif form == "column_min":
+                rows.append(own)
+            exact = self(a[rows[0]], b[rows[1]], kind=kind)
+            values = values.reshape(-1).index_copy(0, own, exact).reshape(values.shape)
+        return values, *places
+
+    @torch.compiler.disable
+    def below(self, a, b, limit, *, groups=None, lower=None, kind=None):
+        """Every pair, with groups every pair of a group, whose result is below a limit: rows of ``a``, rows of ``b``,
+        results with derivatives."""
+        node, (a, b) = self._two("below", a, b, kind)
+        _torch.lacks(f"{self.__name__}.below", a, a.is_cuda)
+        groups = None if groups is None else tuple(map(_offsets, groups))
+        arrays = a.detach().numpy(), b.detach().numpy()
+        found = node.base.verb.below(*arrays, float(limit), groups=groups, lower=lower, kind=node.base.kinds)
+        rows, columns, values = map(torch.from_numpy, found)
+        if torch.is_grad_enabled() and (a.requires_grad or b.requires_grad):
+            values = self(a[rows], b[columns], kind=kind)
+        return rows, columns, values
+
+    def count_below(self, a, b, limit, *, kind=None):
+        """How many pairs have a result below a limit."""
+        node, (a, b) = self._two("count_below", a, b, kind)
+        if a.is_cuda:
+            return int((self.all_pairs(a, b, kind=kind) < limit).sum())
+        arrays = a.detach().numpy(), b.detach().numpy()
+        return node.base.verb.count_below(*arrays, float(limit), kind=node.base.kinds)
 
     @torch.compiler.disable
     def above(self, a, b, threshold, *, groups=None, kind=None):

@@ -239,6 +239,7 @@ impl<T: Real> Generated<T> {
                     check: |_| Ok(()),
                     quick: Quick::Always,
                     rules: &[],
+                    axis_bounds: |_| Vec::new(),
                 });
                 &plain
             }
