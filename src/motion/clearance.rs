@@ -1,5 +1,5 @@
 //! The least distance of two moving bodies.
-use super::body::{Body3, Bounds, MovingPair};
+use super::moving::{Body3, Bounds, MovingPair};
 use crate::distance3::Apart;
 use crate::{Scalar, Vec3};
 use std::cmp::Ordering;

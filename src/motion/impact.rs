@@ -1,5 +1,5 @@
 //! The first time at which two moving bodies touch.
-use super::body::{Body3, Bounds, MovingPair};
+use super::moving::{Body3, Bounds, MovingPair};
 use crate::distance3::Apart;
 use crate::{Scalar, Vec3};
 

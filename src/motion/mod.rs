@@ -47,11 +47,11 @@
 //! Bodies that touch at time 0 have time 0 with derivative zero. A miss has the largest finite number as its time, with
 //! derivative zero. The derivatives of the distance at that time have the kinks of [`distance3`](crate::distance3). Of
 //! several times with the least distance the first that was found counts.
-mod body;
 mod clearance;
 mod impact;
 mod motion3;
 mod moves;
+mod moving;
 
 pub use clearance::Clearance3;
 pub use impact::Impact3;

@@ -1,8 +1,8 @@
 //! Functions of two moving bodies.
-use super::body::{Body3, MovingPair};
 use super::clearance::{self, Clearance3};
 use super::impact::{self, Impact3};
 use super::motion3::Motion3;
+use super::moving::{Body3, MovingPair};
 use crate::distance3::Apart;
 use crate::scalar::Guard;
 use crate::{Pack, Scalar};
