@@ -210,7 +210,12 @@ impl Solids<'_> {
     /// touch may be stationary without being the best near it.
     fn better(&self, found: &Found) -> Option<Vec3<f64>> {
         let [x, y] = tangents(found.touch.normal);
-        let ways = [x, -x, y, -y, x + y, x - y, y - x, -x - y];
+        // Where a rim is as far from the middles' line as the other one's reach, the only better ways are along that line.
+        let between = self.b.middle() - self.a.middle();
+        let aside = x * x.dot(between) + y * y.dot(between);
+        let length = aside.length();
+        let aside = aside * if length > 0.0 { 1.0 / length } else { 0.0 };
+        let ways = [x, -x, y, -y, x + y, x - y, y - x, -x - y, aside, -aside];
         [3e-2, 3e-3, 3e-4].into_iter().find_map(|step| {
             let turned = ways.map(|way| {
                 let normal = found.touch.normal + way * step;

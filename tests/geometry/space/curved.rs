@@ -117,6 +117,9 @@ fn prove<A: Body + Apart<B, Scalar = f64>, B: Body + Apart<A, Scalar = f64>>(
                 told()
             );
             if apart < 0.0 {
+                // Points and plane prove a direction to be stationary; of symmetric pairs another one near it may be
+                // better by some 1e-8 of the size, on a ridge that the search misses.
+                let bound = 1e-6 * size;
                 let best = best_of_many(&mut random, &a, &b);
                 assert!(best <= apart + bound, "deep {best} {apart} {}", told());
             }
