@@ -10,6 +10,7 @@ use crate::kernels::machine::found::check_threshold;
 use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::item::counts::expect;
 use crate::kernels::row::item::{STRETCH, Target};
+use crate::scalar::elementary::ln_1p;
 
 /// The loss of an item's residuals, a function of their length `r`. The threshold is in the unit of the residuals.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,7 +34,7 @@ impl Robust {
             }
             Robust::Cauchy(t) => {
                 let share = square / (t * t);
-                [0.5 * t * t * share.ln_1p(), 1.0 / (1.0 + share)]
+                [0.5 * t * t * ln_1p(share), 1.0 / (1.0 + share)]
             }
             Robust::Squares | Robust::Huber(_) => [0.5 * square, 1.0],
         }

@@ -287,7 +287,7 @@ fn faces<S: Scalar<Mask = bool>>(found: &mut Found<S>, a: &[Corner<S>], b: &[Cor
 }
 
 /// Returns the sides of a face: one of a segment, none of a point.
-fn sides<'a, S: Scalar>(face: &'a [Corner<S>]) -> impl Iterator<Item = [&'a Corner<S>; 2]> {
+fn sides<S: Scalar>(face: &[Corner<S>]) -> impl Iterator<Item = [&Corner<S>; 2]> {
     let n = if face.len() > 2 {
         face.len()
     } else {

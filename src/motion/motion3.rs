@@ -98,7 +98,7 @@ impl<S: Scalar> Motion3<S> {
     }
     /// Returns the pose at time `t` of a body whose place is given relative to the centre.
     #[inline]
-    pub(super) fn from_center(self, t: S) -> Pose3<S> {
+    pub(super) fn after_center(self, t: S) -> Pose3<S> {
         Pose3::new(
             self.center + self.velocity * t,
             Rotation3::from_rotation_vector(self.turn * t),
@@ -106,7 +106,7 @@ impl<S: Scalar> Motion3<S> {
     }
     /// Returns the shift that makes places relative to the centre.
     #[inline]
-    pub(super) fn to_center(self) -> Pose3<S> {
+    pub(super) fn before_center(self) -> Pose3<S> {
         Pose3::new(-self.center, Rotation3::identity())
     }
     /// Returns the velocity of a point of the body that is at `point` at time `t`.

@@ -50,8 +50,8 @@ impl<S: Scalar, A: Body3<Scalar = S>, B: Body3<Scalar = S>> MovingPair<S, A, B> 
     /// Creates a pair from bodies at time 0.
     pub(super) fn new((a, of_a): (A, Motion3<S>), (b, of_b): (B, Motion3<S>)) -> Self {
         MovingPair {
-            a: (a.moved(of_a.to_center()), of_a),
-            b: (b.moved(of_b.to_center()), of_b),
+            a: (a.moved(of_a.before_center()), of_a),
+            b: (b.moved(of_b.before_center()), of_b),
         }
     }
     /// Returns the pair without derivatives.
@@ -68,7 +68,7 @@ impl<S: Scalar, A: Body3<Scalar = S>, B: Body3<Scalar = S>> MovingPair<S, A, B> 
     /// Returns the bodies at a time.
     pub(super) fn at(&self, t: S) -> (A, B) {
         let ((a, of_a), (b, of_b)) = (self.a, self.b);
-        (a.moved(of_a.from_center(t)), b.moved(of_b.from_center(t)))
+        (a.moved(of_a.after_center(t)), b.moved(of_b.after_center(t)))
     }
     /// Returns the relation of the bodies at a time.
     pub(super) fn relation(&self, t: S) -> Relation<S>

@@ -457,7 +457,7 @@ pub trait Fixed: Pack<Scalar: Copy + Send + Sync> + Copy + Send + Sync + 'static
         Self::Scalar: Scalar,
     {
         let mut others = other.scalars().into_iter();
-        self.each(&mut |x| *x = *x + others.next().unwrap_or(Self::Scalar::zero()));
+        self.each(&mut |x| *x += others.next().unwrap_or(Self::Scalar::zero()));
         self
     }
     /// Returns the shape with every scalar multiplied by a factor. It keeps its codes.
@@ -467,7 +467,7 @@ pub trait Fixed: Pack<Scalar: Copy + Send + Sync> + Copy + Send + Sync + 'static
     where
         Self::Scalar: Scalar,
     {
-        self.each(&mut |x| *x = *x * factor);
+        self.each(&mut |x| *x *= factor);
         self
     }
     /// Returns the lower bounds along the axes, two or three, and then the upper ones; nothing for a shape without

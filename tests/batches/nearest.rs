@@ -408,7 +408,7 @@ fn equal_pairs_share_the_gradient() {
 #[test]
 fn nothing_is_nearest_to_nothing() {
     let cpu = Cpu::new();
-    let (some, none) = ([Vec2::new(0.0, 0.0)], [Vec2::new(0.0, 0.0); 0]);
+    let (some, none): (_, [Vec2<f64>; 0]) = ([Vec2::new(0.0, 0.0)], []);
     let refused = cpu.row_min(Distance, &some, &none).unwrap_err();
     assert_eq!(
         refused,

@@ -71,7 +71,7 @@ fn steps_lead_to_the_pose() {
         .map(|&point| residual(truth, point, Vec2::zero()))
         .collect();
     for outlier in &mut to[..6] {
-        *outlier = *outlier + Vec2::new(30.0, -20.0);
+        *outlier += Vec2::new(30.0, -20.0);
     }
     let cpu = Cpu::new();
     let fit = |loss: Robust| {

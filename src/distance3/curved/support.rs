@@ -1,7 +1,7 @@
 //! Convex solids of plain numbers by their supports.
 use super::piece::{Piece, PieceKind, Place};
 use super::smooth_solid::Solid;
-use crate::Vec3;
+use crate::{Scalar, Vec3};
 
 /// A convex solid of plain numbers.
 pub trait Supported {
@@ -28,7 +28,7 @@ pub trait Supported {
 
 /// Returns the vector with length one; zero for zero.
 fn unit([x, y]: [f64; 2]) -> [f64; 2] {
-    let length = x.hypot(y);
+    let length = Scalar::hypot(x, y);
     match length > 0.0 {
         true => [x / length, y / length],
         false => [0.0; 2],
@@ -111,7 +111,7 @@ impl Supported for Solid<f64> {
     fn size(&self) -> f64 {
         match *self {
             Solid::Ball { half, .. } | Solid::Box { half, .. } => {
-                half[0].hypot(half[1]).hypot(half[2])
+                Scalar::hypot(Scalar::hypot(half[0], half[1]), half[2])
             }
             Solid::Disc { radius, .. } => radius,
             Solid::Cylinder { axis, radius, .. } | Solid::Cone { axis, radius, .. } => {
@@ -144,7 +144,7 @@ impl Supported for Solid<f64> {
                     [x / sum, y / sum]
                 }
                 _ => {
-                    let length = x.hypot(y).max(1.0);
+                    let length = Scalar::hypot(x, y).max(1.0);
                     [x / length, y / length]
                 }
             };

@@ -118,9 +118,9 @@ impl System {
         let m = &mut self.matrix;
         for j in 0..ways {
             let step = piece.ways[j] * piece.size(j, place.s);
-            for k in 0..2 {
-                m[k][at + j] = sign * self.tangents[k].dot(step);
-                m[at + j][k] = -sign * self.tangents[k].dot(piece.ways[j]) * units.shares[j];
+            for (k, tangent) in self.tangents.iter().enumerate() {
+                m[k][at + j] = sign * tangent.dot(step);
+                m[at + j][k] = -sign * tangent.dot(piece.ways[j]) * units.shares[j];
             }
             if kind.is_round() {
                 m[at + j][at + j] = -place.pull;
@@ -133,16 +133,16 @@ impl System {
         }
         if kind.has_axis() {
             let step = piece.by_share(place);
-            for k in 0..2 {
-                m[k][share] = sign * self.tangents[k].dot(step);
-                m[share][k] = -sign * self.tangents[k].dot(step) * units.axis;
+            for (k, tangent) in self.tangents.iter().enumerate() {
+                m[k][share] = sign * tangent.dot(step);
+                m[share][k] = -sign * tangent.dot(step) * units.axis;
             }
         }
         if kind == PieceKind::Own {
             let [x, y, z] = piece.ways;
-            for k in 0..2 {
-                for (l, &t) in self.tangents.iter().enumerate() {
-                    m[k][l] -= self.tangents[k].dot(x * t.x + y * t.y + z * t.z);
+            for (row, tangent) in m.iter_mut().zip(&self.tangents) {
+                for (place, &t) in row.iter_mut().zip(&self.tangents) {
+                    *place -= tangent.dot(x * t.x + y * t.y + z * t.z);
                 }
             }
         }
@@ -187,10 +187,10 @@ impl System {
         let mut out = [S::zero(); MOST];
         let way = pieces[1].at(&touch.b) - pieces[0].at(&touch.a);
         let gap = touch.normal.dot(way);
-        for k in 0..2 {
+        for (out, &tangent) in out.iter_mut().zip(&self.tangents) {
             // The vector across the normal, seen along constant directions.
-            let tangent = lit::<S>(self.tangents[k]);
-            out[k] = tangent.dot(way) - tangent.dot(touch.normal) * gap;
+            let tangent = lit::<S>(tangent);
+            *out = tangent.dot(way) - tangent.dot(touch.normal) * gap;
         }
         let mut at = 2;
         let sides = [(&touch.a, touch.normal), (&touch.b, -touch.normal)];
@@ -247,8 +247,8 @@ impl System {
         changes: &[S; MOST],
     ) -> Touch<S> {
         let mut next = *touch;
-        for k in 0..2 {
-            next.normal = next.normal - lit::<S>(self.tangents[k]) * changes[k];
+        for (&tangent, &change) in self.tangents.iter().zip(changes) {
+            next.normal -= lit::<S>(tangent) * change;
         }
         next.normal = next.normal.normalize_or_zero();
         let mut at = 2;

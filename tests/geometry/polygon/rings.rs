@@ -57,7 +57,7 @@ fn slabs_locate_as_rings_do() {
     }));
     // Flat ones, which have no height, and tall ones, of which every edge is in every slab.
     all.push(vec![ring(&[(0., 1.), (3., 1.), (1., 1.)])]);
-    let zigzag = |k: usize| at(k as f64 / 8.0, if k % 2 == 0 { -4.0 } else { 9.0 });
+    let zigzag = |k: usize| at(k as f64 / 8.0, if k.is_multiple_of(2) { -4.0 } else { 9.0 });
     all.push(vec![(0..100).map(zigzag).collect()]);
     all.push(vec![ring(&[(0., -1e308), (1., 1e308), (-1., 1e308)])]);
     all.push(Vec::new());

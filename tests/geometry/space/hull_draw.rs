@@ -83,7 +83,7 @@ fn body(random: &mut Random) -> Vec<Point> {
             let corner = |k: usize| {
                 let (sin, cos) =
                     (from + (k / 2) as f64 * std::f64::consts::TAU / n as f64).sin_cos();
-                [cos, sin, if k % 2 == 0 { high } else { -high }]
+                [cos, sin, if k.is_multiple_of(2) { high } else { -high }]
             };
             (0..2 * n).map(corner).collect()
         }

@@ -17,7 +17,7 @@ fn body(random: &mut Random, count: usize) -> Vec<Vec3<f64>> {
             let (from, high) = (random.within(0.0, 6.0), random.within(0.2, 1.0));
             let angle =
                 |k: usize| from + (k / 2) as f64 * std::f64::consts::TAU / (count / 2) as f64;
-            let side = |k: usize| if k % 2 == 0 { high } else { -high };
+            let side = |k: usize| if k.is_multiple_of(2) { high } else { -high };
             let at = |k: usize| Vec3::new(angle(k).cos(), angle(k).sin(), side(k));
             (0..count).map(at).collect()
         }

@@ -147,13 +147,9 @@ fn hulls_of_boxes_are_as_far_apart_as_boxes() {
 }
 
 /// A shape and a hull, against a hull of the shape's corners and its radius.
-fn agrees<A: Apart<Hull3<f64, 8>, Scalar = f64>>(
-    shape: A,
-    of_corners: Hull3<f64, 8>,
-    radius: f64,
-    hull: Hull3<f64, 8>,
-) where
-    A: std::fmt::Debug,
+fn agrees<A>(shape: A, of_corners: Hull3<f64, 8>, radius: f64, hull: Hull3<f64, 8>)
+where
+    A: Apart<Hull3<f64, 8>, Scalar = f64> + std::fmt::Debug,
 {
     let (found, truth) = (
         shape.signed_distance(hull),
