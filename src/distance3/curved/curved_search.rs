@@ -310,7 +310,12 @@ pub fn search(a: &dyn Supported, b: &dyn Supported) -> Option<Found> {
         let Some(better) = overlap.and_then(|found| solids.better(&found)) else {
             break;
         };
+        let before = best;
         solids.parted(&mut best, better);
+        if best.as_ref().is_none_or(|found| solids.grade(found) > 3) {
+            best = before;
+            break;
+        }
     }
     best.map(|found| shared(&solids, found))
 }

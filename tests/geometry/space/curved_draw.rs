@@ -119,7 +119,8 @@ fn split(arm: Vec3<f64>, axis: Vec3<f64>) -> (f64, Vec3<f64>) {
 
 /// The direction across an axis, of length one; zero for one that is along it within rounding.
 fn side(way: Vec3<f64>, axis: Vec3<f64>) -> Vec3<f64> {
-    let across = split(way, axis).1;
+    // Once more: what is left of a direction along the axis is mostly rounding along it.
+    let across = split(split(way, axis).1, axis).1;
     match across.length() > 1e-13 * way.length() {
         true => unit(across),
         false => Vec3::zero(),
