@@ -68,7 +68,6 @@ fn prove<A: Body + Apart<B, Scalar = f64>, B: Body + Apart<A, Scalar = f64>>(
     count: usize,
     told: &str,
 ) {
-    let (mut count_all, mut missed) = (0, 0);
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     for (family, name) in FAMILIES.iter().enumerate() {
         for _ in 0..count {
@@ -78,7 +77,7 @@ fn prove<A: Body + Apart<B, Scalar = f64>, B: Body + Apart<A, Scalar = f64>>(
             let between = (a.middle() - b.middle()).length();
             let size = a.size().max(b.size()).max(between);
             // An axis of 1e-9 has a direction of few digits.
-            let share = if family == 5 { 1e-9 } else { 1e-11 };
+            let share = if family == 5 { 1e-7 } else { 1e-11 };
             let bound = share * size + 1e-15 * first.at.length();
             let apart = signed_distance(a, b);
             assert!(apart.is_finite(), "{}", told());
@@ -100,14 +99,8 @@ fn prove<A: Body + Apart<B, Scalar = f64>, B: Body + Apart<A, Scalar = f64>>(
             );
             let error = ((points.on_b - points.on_a) - way * apart).length();
             let least = gap(&a, &b, way);
-            // Of shapes that overlap and are all but parallel the search finds one in a thousand to some digits only.
             let error = error.max((least - apart).abs());
-            assert!(error <= 1e-4 * size, "error {error:e} of {size} {}", told());
-            count_all += 1;
-            missed += usize::from(error > bound);
-            if error > bound {
-                continue;
-            }
+            assert!(error <= bound, "error {error:e} of {size} {}", told());
             assert_eq!(out.depth, (-apart).max(0.0), "{}", told());
             assert_eq!(distance(a, b), apart.max(0.0), "{}", told());
             assert!(
@@ -122,19 +115,16 @@ fn prove<A: Body + Apart<B, Scalar = f64>, B: Body + Apart<A, Scalar = f64>>(
                 told()
             );
             if apart < 0.0 {
-                // Points and plane prove a direction to be stationary; of symmetric pairs another one near it may be
-                // better by some 1e-8 of the size, on a ridge that the search misses.
-                let bound = 1e-6 * size;
+                // Points and plane prove a direction to be stationary, others that none is better.
                 let best = best_of_many(&mut random, &a, &b);
                 assert!(best <= apart + bound, "deep {best} {apart} {}", told());
             }
         }
     }
-    assert!(missed * 50 <= count_all, "{told}: {missed} of {count_all}");
 }
 
 macro_rules! prove_all {
-    ($($A:ident $B:ident),*) => { $( prove::<$A<f64>, $B<f64>>(12, stringify!($A $B)); )* };
+    ($($A:ident $B:ident),*) => { $( prove::<$A<f64>, $B<f64>>(40, stringify!($A $B)); )* };
 }
 
 #[test]
