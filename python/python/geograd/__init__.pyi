@@ -1071,6 +1071,44 @@ class Hit3(Shape):
     @property
     def kind(self) -> Any: ...
 
+class Hull3_8(Shape):
+    """The convex hull of up to 8 vertices of space, in any order. The last number is how many vertices
+    count; those after them are not read.
+
+    An array whose last axis has its numbers, in this order:
+
+        vertices[0].x: coordinate
+        vertices[0].y: coordinate
+        vertices[0].z: coordinate
+        vertices[1].x: coordinate
+        vertices[1].y: coordinate
+        vertices[1].z: coordinate
+        vertices[2].x: coordinate
+        vertices[2].y: coordinate
+        vertices[2].z: coordinate
+        vertices[3].x: coordinate
+        vertices[3].y: coordinate
+        vertices[3].z: coordinate
+        vertices[4].x: coordinate
+        vertices[4].y: coordinate
+        vertices[4].z: coordinate
+        vertices[5].x: coordinate
+        vertices[5].y: coordinate
+        vertices[5].z: coordinate
+        vertices[6].x: coordinate
+        vertices[6].y: coordinate
+        vertices[6].z: coordinate
+        vertices[7].x: coordinate
+        vertices[7].y: coordinate
+        vertices[7].z: coordinate
+        codes[0]: how many vertices count, a whole number
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def vertices(self) -> list[Any]: ...
+    @property
+    def codes(self) -> list[Any]: ...
+
 class ImageBox(Shape):
     """A rotated box in an image, where y points down. The angle turns from x towards y, clockwise to the
     viewer; the width lies along it. As Obb2 it is the box in a frame with y upwards; read with y
@@ -2178,22 +2216,30 @@ class _closest_points(Verb):
             The nearest points of two capsules. Points jump to another nearest feature.
         closest_points(a: Capsule3, b: Capsule3) -> PointPair3
             The nearest points of two capsules of space. Points jump to another nearest feature.
+        closest_points(capsule: Capsule3, hull: Hull3_8) -> PointPair3
+            The nearest points of a capsule of space and a convex hull. Hulls have up to N vertices. Points jump to another nearest feature.
         closest_points(capsule: Capsule3, shape: Obb3) -> PointPair3
             The nearest points of a capsule of space and a box of any orientation. Points jump to another nearest feature.
         closest_points(circle: Circle, shape: Obb2) -> PointPair
             The nearest points of a circle and a rotated box. Points jump to another nearest feature.
+        closest_points(a: Hull3_8, b: Hull3_8) -> PointPair3
+            The nearest points of two convex hulls. Hulls have up to N vertices. Points jump to another nearest feature.
         closest_points(a: Line3, b: Line3) -> PointPair3
             The nearest points of two lines of space. Points jump to another nearest feature.
         closest_points(shape: Obb2, circle: Circle) -> PointPair
             The nearest points of a rotated box and a circle. Points jump to another nearest feature.
         closest_points(a: Obb2, b: Obb2) -> PointPair
             The nearest points of two rotated boxes. Points jump to another nearest feature.
+        closest_points(shape: Obb3, hull: Hull3_8) -> PointPair3
+            The nearest points of a box of any orientation and a convex hull. Hulls have up to N vertices. Points jump to another nearest feature.
         closest_points(a: Obb3, b: Obb3) -> PointPair3
             The nearest points of two boxes of any orientation. Points jump to another nearest feature.
         closest_points(a: Segment2, b: Segment2) -> ClosestOnSegments
             The nearest points of two segments, and where along both they lie.
         closest_points(a: Segment3, b: Segment3) -> PointPair3
             The nearest points of two segments of space. Points jump to another nearest feature.
+        closest_points(ball: Sphere, hull: Hull3_8) -> PointPair3
+            The nearest points of a ball and a convex hull. Hulls have up to N vertices. Points jump to another nearest feature.
         closest_points(ball: Sphere, shape: Obb3) -> PointPair3
             The nearest points of a ball and a box of any orientation. Points jump to another nearest feature.
         closest_points(a: Triangle2, b: Triangle2) -> PointPair
@@ -2206,6 +2252,8 @@ class _closest_points(Verb):
             The nearest points of a point and a segment. Points jump to another nearest feature.
         closest_points(point: Vec2, triangle: Triangle2) -> PointPair
             The nearest points of a point and a triangle. Points jump to another nearest feature.
+        closest_points(point: Vec3, hull: Hull3_8) -> PointPair3
+            The nearest points of a point and a convex hull. Hulls have up to N vertices. Points jump to another nearest feature.
         closest_points(point: Vec3, line: Line3) -> PointPair3
             The nearest points of a point and a line of space. Points jump to another nearest feature.
         closest_points(point: Vec3, segment: Segment3) -> PointPair3
@@ -2222,9 +2270,13 @@ class _closest_points(Verb):
     @overload
     def __call__(self, a: Capsule3, b: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
+    def __call__(self, capsule: Capsule3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
+    @overload
     def __call__(self, capsule: Capsule3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
     def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
+    def __call__(self, a: Hull3_8, b: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
     def __call__(self, a: Line3, b: Line3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
@@ -2232,11 +2284,15 @@ class _closest_points(Verb):
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
     @overload
+    def __call__(self, shape: Obb3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
+    @overload
     def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
     def __call__(self, a: Segment2, b: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> ClosestOnSegments: ...
     @overload
     def __call__(self, a: Segment3, b: Segment3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
+    @overload
+    def __call__(self, ball: Sphere, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
     def __call__(self, ball: Sphere, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
@@ -2249,6 +2305,8 @@ class _closest_points(Verb):
     def __call__(self, point: Vec2, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
     @overload
     def __call__(self, point: Vec2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
+    def __call__(self, point: Vec3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
     def __call__(self, point: Vec3, line: Line3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
@@ -2541,6 +2599,8 @@ class _distance(Verb):
             The distance of a capsule and a point.
         distance(a: Capsule3, b: Capsule3) -> number
             The distance of two capsules of space.
+        distance(capsule: Capsule3, hull: Hull3_8) -> number
+            The distance of a capsule of space and a convex hull, 0 where they meet. Hulls have up to N vertices.
         distance(capsule: Capsule3, line: Line3) -> number
             The distance of a capsule of space and a line of space.
         distance(capsule: Capsule3, shape: Obb3) -> number
@@ -2557,6 +2617,8 @@ class _distance(Verb):
             The distance of a circle and a point.
         distance(a: ConvexPolygon5, b: ConvexPolygon5) -> number
             The distance of two convex polygons of up to N vertices, 0 where they meet.
+        distance(a: Hull3_8, b: Hull3_8) -> number
+            The distance of two convex hulls, 0 where they meet. Hulls have up to N vertices.
         distance(a: Interval, b: Interval) -> number
             The distance of two intervals.
         distance(a: Line3, b: Line3) -> number
@@ -2579,6 +2641,8 @@ class _distance(Verb):
             The distance of a rotated box and a segment.
         distance(shape: Obb2, point: Vec2) -> number
             The distance of a rotated box and a point.
+        distance(shape: Obb3, hull: Hull3_8) -> number
+            The distance of a box of any orientation and a convex hull, 0 where they meet. Hulls have up to N vertices.
         distance(a: Obb3, b: Obb3) -> number
             The distance of two boxes of any orientation.
         distance(shape: Obb3, point: Vec3) -> number
@@ -2595,6 +2659,8 @@ class _distance(Verb):
             The distance of a ray of space and a tetrahedron.
         distance(ray: Ray3, triangle: Triangle3) -> number
             The distance of a ray of space and a triangle of space.
+        distance(shape: RoundBox3, hull: Hull3_8) -> number
+            The distance of a box with round edges and a convex hull, 0 where they meet. Hulls have up to N vertices.
         distance(segment: Segment2, circle: Circle) -> number
             The distance of a segment and a circle.
         distance(segment: Segment2, shape: Obb2) -> number
@@ -2603,6 +2669,8 @@ class _distance(Verb):
             The distance of two segments.
         distance(segment: Segment2, point: Vec2) -> number
             The distance of a segment and a point.
+        distance(segment: Segment3, hull: Hull3_8) -> number
+            The distance of a segment of space and a convex hull, 0 where they meet. Hulls have up to N vertices.
         distance(segment: Segment3, line: Line3) -> number
             The distance of a segment of space and a line of space.
         distance(segment: Segment3, shape: Obb3) -> number
@@ -2617,10 +2685,14 @@ class _distance(Verb):
             The distance of a segment of space and a tetrahedron.
         distance(segment: Segment3, triangle: Triangle3) -> number
             The distance of a segment of space and a triangle of space.
+        distance(ball: Sphere, hull: Hull3_8) -> number
+            The distance of a ball and a convex hull, 0 where they meet. Hulls have up to N vertices.
         distance(ball: Sphere, shape: Obb3) -> number
             The distance of a ball and a box of any orientation.
         distance(a: Sphere, b: Sphere) -> number
             The distance of two balls.
+        distance(solid: Tetrahedron, hull: Hull3_8) -> number
+            The distance of a tetrahedron and a convex hull, 0 where they meet. Hulls have up to N vertices.
         distance(solid: Tetrahedron, shape: Obb3) -> number
             The distance of a tetrahedron and a box of any orientation.
         distance(solid: Tetrahedron, shape: RoundBox3) -> number
@@ -2631,6 +2703,8 @@ class _distance(Verb):
             The distance of two triangles.
         distance(triangle: Triangle2, point: Vec2) -> number
             The distance of a triangle and a point.
+        distance(triangle: Triangle3, hull: Hull3_8) -> number
+            The distance of a triangle of space and a convex hull, 0 where they meet. Hulls have up to N vertices.
         distance(triangle: Triangle3, shape: Obb3) -> number
             The distance of a triangle of space and a box of any orientation.
         distance(triangle: Triangle3, shape: RoundBox3) -> number
@@ -2667,6 +2741,8 @@ class _distance(Verb):
             The distance of a point and a cone.
         distance(point: Vec3, cylinder: Cylinder) -> number
             The distance of a point and a cylinder.
+        distance(point: Vec3, hull: Hull3_8) -> number
+            The distance of a point and a convex hull, 0 where they meet. Hulls have up to N vertices.
         distance(point: Vec3, line: Line3) -> number
             The distance of a point and a line of space.
         distance(point: Vec3, shape: Obb3) -> number
@@ -2715,6 +2791,8 @@ class _distance(Verb):
     @overload
     def __call__(self, a: Capsule3, b: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, capsule: Capsule3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, capsule: Capsule3, line: Line3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, capsule: Capsule3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -2730,6 +2808,8 @@ class _distance(Verb):
     def __call__(self, circle: Circle, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Hull3_8, b: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Interval, b: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -2753,6 +2833,8 @@ class _distance(Verb):
     @overload
     def __call__(self, shape: Obb2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, shape: Obb3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, shape: Obb3, point: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -2769,6 +2851,8 @@ class _distance(Verb):
     @overload
     def __call__(self, ray: Ray3, triangle: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, shape: RoundBox3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, segment: Segment2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, segment: Segment2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -2776,6 +2860,8 @@ class _distance(Verb):
     def __call__(self, a: Segment2, b: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, segment: Segment2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, segment: Segment3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, segment: Segment3, line: Line3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -2791,9 +2877,13 @@ class _distance(Verb):
     @overload
     def __call__(self, segment: Segment3, triangle: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, ball: Sphere, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, ball: Sphere, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Sphere, b: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, solid: Tetrahedron, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, solid: Tetrahedron, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -2804,6 +2894,8 @@ class _distance(Verb):
     def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, triangle: Triangle2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, triangle: Triangle3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, triangle: Triangle3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -2840,6 +2932,8 @@ class _distance(Verb):
     def __call__(self, point: Vec3, cone: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec3, cylinder: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec3, line: Line3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -3953,20 +4047,32 @@ class _penetration(Verb):
             The depth of overlap and its direction of two capsules. The direction jumps to another deepest face.
         penetration(a: Capsule3, b: Capsule3) -> Contact3
             The depth of overlap and its direction of two capsules of space. The direction jumps to another deepest face.
+        penetration(capsule: Capsule3, hull: Hull3_8) -> Contact3
+            The depth of overlap and its direction of a capsule of space and a convex hull. Hulls have up to N vertices. The direction jumps to another deepest face.
         penetration(capsule: Capsule3, shape: Obb3) -> Contact3
             The depth of overlap and its direction of a capsule of space and a box of any orientation. The direction jumps to another deepest face.
         penetration(a: Circle, b: Circle) -> Contact
             The depth of overlap and its direction of two circles. The direction jumps to another deepest face.
         penetration(circle: Circle, shape: Obb2) -> Contact
             The depth of overlap and its direction of a circle and a rotated box. The direction jumps to another deepest face.
+        penetration(a: Hull3_8, b: Hull3_8) -> Contact3
+            The depth of overlap and its direction of two convex hulls. Hulls have up to N vertices. The direction jumps to another deepest face.
         penetration(a: Obb2, b: Obb2) -> Contact
             The depth of overlap and its direction of two rotated boxes. The direction jumps to another deepest face.
+        penetration(shape: Obb3, hull: Hull3_8) -> Contact3
+            The depth of overlap and its direction of a box of any orientation and a convex hull. Hulls have up to N vertices. The direction jumps to another deepest face.
         penetration(a: Obb3, b: Obb3) -> Contact3
             The depth of overlap and its direction of two boxes of any orientation. The direction jumps to another deepest face.
         penetration(plane: Plane3, capsule: Capsule3) -> Contact3
             The depth of overlap and its direction of a half-space and a capsule of space. The direction jumps to another deepest face.
+        penetration(plane: Plane3, hull: Hull3_8) -> Contact3
+            The depth of overlap and its direction of a half-space and a convex hull. Hulls have up to N vertices. The direction jumps to another deepest face.
         penetration(plane: Plane3, shape: Obb3) -> Contact3
             The depth of overlap and its direction of a half-space and a box of any orientation. The direction jumps to another deepest face.
+        penetration(shape: RoundBox3, hull: Hull3_8) -> Contact3
+            The depth of overlap and its direction of a box with round edges and a convex hull. Hulls have up to N vertices. The direction jumps to another deepest face.
+        penetration(ball: Sphere, hull: Hull3_8) -> Contact3
+            The depth of overlap and its direction of a ball and a convex hull. Hulls have up to N vertices. The direction jumps to another deepest face.
         penetration(ball: Sphere, shape: Obb3) -> Contact3
             The depth of overlap and its direction of a ball and a box of any orientation. The direction jumps to another deepest face.
         penetration(a: Sphere, b: Sphere) -> Contact3
@@ -3983,19 +4089,31 @@ class _penetration(Verb):
     @overload
     def __call__(self, a: Capsule3, b: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact3: ...
     @overload
+    def __call__(self, capsule: Capsule3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact3: ...
+    @overload
     def __call__(self, capsule: Capsule3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact3: ...
     @overload
     def __call__(self, a: Circle, b: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact: ...
     @overload
     def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact: ...
     @overload
+    def __call__(self, a: Hull3_8, b: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact3: ...
+    @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact: ...
+    @overload
+    def __call__(self, shape: Obb3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact3: ...
     @overload
     def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact3: ...
     @overload
     def __call__(self, plane: Plane3, capsule: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact3: ...
     @overload
+    def __call__(self, plane: Plane3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact3: ...
+    @overload
     def __call__(self, plane: Plane3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact3: ...
+    @overload
+    def __call__(self, shape: RoundBox3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact3: ...
+    @overload
+    def __call__(self, ball: Sphere, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact3: ...
     @overload
     def __call__(self, ball: Sphere, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact3: ...
     @overload
@@ -4235,6 +4353,8 @@ class _signed_distance(Verb):
             The signed distance of a capsule and a point.
         signed_distance(a: Capsule3, b: Capsule3) -> number
             The signed distance of two capsules of space.
+        signed_distance(capsule: Capsule3, hull: Hull3_8) -> number
+            The signed distance of a capsule of space and a convex hull: less than 0 where they overlap, by the least move that parts them. Hulls have up to N vertices.
         signed_distance(capsule: Capsule3, shape: Obb3) -> number
             The signed distance of a capsule of space and a box of any orientation.
         signed_distance(capsule: Capsule3, shape: RoundBox3) -> number
@@ -4255,6 +4375,8 @@ class _signed_distance(Verb):
             The signed distance of a circle and a point.
         signed_distance(a: ConvexPolygon5, b: ConvexPolygon5) -> number
             The signed distance of two convex polygons of up to N vertices: less than 0 where they overlap, by the least move that parts them.
+        signed_distance(a: Hull3_8, b: Hull3_8) -> number
+            The signed distance of two convex hulls: less than 0 where they overlap, by the least move that parts them. Hulls have up to N vertices.
         signed_distance(a: Interval, b: Interval) -> number
             The signed distance of two intervals.
         signed_distance(line: Line3, ball: Sphere) -> number
@@ -4267,6 +4389,8 @@ class _signed_distance(Verb):
             The signed distance of a rotated box and a segment.
         signed_distance(shape: Obb2, point: Vec2) -> number
             The signed distance of a rotated box and a point.
+        signed_distance(shape: Obb3, hull: Hull3_8) -> number
+            The signed distance of a box of any orientation and a convex hull: less than 0 where they overlap, by the least move that parts them. Hulls have up to N vertices.
         signed_distance(a: Obb3, b: Obb3) -> number
             The signed distance of two boxes of any orientation.
         signed_distance(a: Obb3, b: RoundBox3) -> number
@@ -4279,6 +4403,8 @@ class _signed_distance(Verb):
             The signed distance of a half-space and a cone.
         signed_distance(plane: Plane3, cylinder: Cylinder) -> number
             The signed distance of a half-space and a cylinder.
+        signed_distance(plane: Plane3, hull: Hull3_8) -> number
+            The signed distance of a half-space and a convex hull: less than 0 where they overlap, by the least move that parts them. Hulls have up to N vertices.
         signed_distance(plane: Plane3, shape: Obb3) -> number
             The signed distance of a half-space and a box of any orientation.
         signed_distance(plane: Plane3, shape: RoundBox3) -> number
@@ -4295,6 +4421,8 @@ class _signed_distance(Verb):
             The signed distance of a half-space and a point.
         signed_distance(ray: Ray3, ball: Sphere) -> number
             The signed distance of a ray of space and a ball.
+        signed_distance(shape: RoundBox3, hull: Hull3_8) -> number
+            The signed distance of a box with round edges and a convex hull: less than 0 where they overlap, by the least move that parts them. Hulls have up to N vertices.
         signed_distance(a: RoundBox3, b: RoundBox3) -> number
             The signed distance of two boxes with round edges.
         signed_distance(segment: Segment2, circle: Circle) -> number
@@ -4309,6 +4437,8 @@ class _signed_distance(Verb):
             The signed distance of a ball and a cone.
         signed_distance(ball: Sphere, cylinder: Cylinder) -> number
             The signed distance of a ball and a cylinder.
+        signed_distance(ball: Sphere, hull: Hull3_8) -> number
+            The signed distance of a ball and a convex hull: less than 0 where they overlap, by the least move that parts them. Hulls have up to N vertices.
         signed_distance(ball: Sphere, shape: Obb3) -> number
             The signed distance of a ball and a box of any orientation.
         signed_distance(ball: Sphere, shape: RoundBox3) -> number
@@ -4321,6 +4451,8 @@ class _signed_distance(Verb):
             The signed distance of a ball and a tetrahedron.
         signed_distance(ball: Sphere, triangle: Triangle3) -> number
             The signed distance of a ball and a triangle of space.
+        signed_distance(solid: Tetrahedron, hull: Hull3_8) -> number
+            The signed distance of a tetrahedron and a convex hull: less than 0 where they overlap, by the least move that parts them. Hulls have up to N vertices.
         signed_distance(solid: Tetrahedron, shape: Obb3) -> number
             The signed distance of a tetrahedron and a box of any orientation.
         signed_distance(solid: Tetrahedron, shape: RoundBox3) -> number
@@ -4331,6 +4463,8 @@ class _signed_distance(Verb):
             The signed distance of two triangles.
         signed_distance(triangle: Triangle2, point: Vec2) -> number
             The signed distance of a triangle and a point.
+        signed_distance(triangle: Triangle3, hull: Hull3_8) -> number
+            The signed distance of a triangle of space and a convex hull: less than 0 where they overlap, by the least move that parts them. Hulls have up to N vertices.
         signed_distance(a: Triangle3, b: Triangle3) -> number
             The signed distance of two triangles of space.
         signed_distance(point: Vec2, shape: Aabb2) -> number
@@ -4357,6 +4491,8 @@ class _signed_distance(Verb):
             The signed distance of a point and a cone.
         signed_distance(point: Vec3, cylinder: Cylinder) -> number
             The signed distance of a point and a cylinder.
+        signed_distance(point: Vec3, hull: Hull3_8) -> number
+            The signed distance of a point and a convex hull: less than 0 where they overlap, by the least move that parts them. Hulls have up to N vertices.
         signed_distance(point: Vec3, shape: Obb3) -> number
             The signed distance of a point and a box of any orientation.
         signed_distance(point: Vec3, shape: RoundBox3) -> number
@@ -4387,6 +4523,8 @@ class _signed_distance(Verb):
     @overload
     def __call__(self, a: Capsule3, b: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, capsule: Capsule3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, capsule: Capsule3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, capsule: Capsule3, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -4407,6 +4545,8 @@ class _signed_distance(Verb):
     @overload
     def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, a: Hull3_8, b: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Interval, b: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, line: Line3, ball: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -4419,6 +4559,8 @@ class _signed_distance(Verb):
     @overload
     def __call__(self, shape: Obb2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, shape: Obb3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Obb3, b: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -4430,6 +4572,8 @@ class _signed_distance(Verb):
     def __call__(self, plane: Plane3, cone: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, plane: Plane3, cylinder: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, plane: Plane3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, plane: Plane3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -4447,6 +4591,8 @@ class _signed_distance(Verb):
     @overload
     def __call__(self, ray: Ray3, ball: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, shape: RoundBox3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: RoundBox3, b: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, segment: Segment2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -4461,6 +4607,8 @@ class _signed_distance(Verb):
     @overload
     def __call__(self, ball: Sphere, cylinder: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, ball: Sphere, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, ball: Sphere, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, ball: Sphere, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -4473,6 +4621,8 @@ class _signed_distance(Verb):
     @overload
     def __call__(self, ball: Sphere, triangle: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, solid: Tetrahedron, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, solid: Tetrahedron, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, solid: Tetrahedron, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -4482,6 +4632,8 @@ class _signed_distance(Verb):
     def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, triangle: Triangle2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, triangle: Triangle3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Triangle3, b: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -4508,6 +4660,8 @@ class _signed_distance(Verb):
     def __call__(self, point: Vec3, cone: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec3, cylinder: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
