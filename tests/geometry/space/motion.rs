@@ -65,22 +65,22 @@ fn stone(random: &mut Random, at: Vec3<f64>) -> Hull3<f64, 8> {
     Hull3::from_vertices(&corners)
 }
 
-/// Judges the impact and the clearance of one pair by its distances at many times.
-fn judge(impact: Impact3<f64>, least: Clearance3<f64>, apart: impl Fn(f64) -> f64) {
+/// Judges the impact and the clearance of one pair by its distances at many times, which have an error.
+fn judge(impact: Impact3<f64>, least: Clearance3<f64>, slack: f64, apart: impl Fn(f64) -> f64) {
     const TIMES: usize = 500;
     let end = if impact.kind == 0.0 { 1.0 } else { impact.time };
     assert!(impact.kind != 2.0 || impact.time == 0.0);
-    assert!(impact.kind != 2.0 || apart(0.0) < 1e-13);
+    assert!(impact.kind != 2.0 || apart(0.0) < slack);
     if impact.kind != 2.0 {
         for i in 0..TIMES {
             let time = end * i as f64 / TIMES as f64;
-            assert!(apart(time) > -1e-13, "overlap at {time}: {impact:?}");
+            assert!(apart(time) > -slack, "overlap at {time}: {impact:?}");
         }
     }
     if impact.kind == 1.0 {
-        assert!(apart(impact.time).abs() < 1e-13, "{impact:?}");
+        assert!(apart(impact.time).abs() < slack, "{impact:?}");
         assert!((impact.normal.length() - 1.0).abs() < 1e-12, "{impact:?}");
-        assert!(least.distance < 1e-13);
+        assert!(least.distance < slack);
     }
     if impact.kind == 0.0 {
         assert!(
@@ -88,7 +88,7 @@ fn judge(impact: Impact3<f64>, least: Clearance3<f64>, apart: impl Fn(f64) -> f6
             "{impact:?} {least:?}"
         );
     }
-    assert!((apart(least.time) - least.distance).abs() < 1e-13);
+    assert!((apart(least.time) - least.distance).abs() < slack);
     for i in 0..=TIMES {
         let time = i as f64 / TIMES as f64;
         assert!(apart(time) > least.distance - 1e-8, "{time}: {least:?}");
@@ -96,7 +96,7 @@ fn judge(impact: Impact3<f64>, least: Clearance3<f64>, apart: impl Fn(f64) -> f6
 }
 
 macro_rules! pairs {
-    ($($name:ident: $a:ident $b:ident;)*) => { $(
+    ($($name:ident: $a:ident $b:ident, $slack:literal;)*) => { $(
         #[test]
         fn $name() {
             let mut random = Random(0x1ead ^ stringify!($name).len() as u64);
@@ -107,7 +107,7 @@ macro_rules! pairs {
                 let (of_a, of_b) = (motion(&mut random, at_a, at_b), motion(&mut random, at_b, at_a));
                 let impact = time_of_impact(a, of_a, b, of_b);
                 kinds[impact.kind as usize] += 1;
-                judge(impact, clearance(a, of_a, b, of_b), |t| {
+                judge(impact, clearance(a, of_a, b, of_b), $slack, |t| {
                     (of_a.at(t) * a).signed_distance(of_b.at(t) * b)
                 });
                 let (single, double) = ((a.cast::<f32>(), b.cast::<f32>()), (a, b));
@@ -123,19 +123,19 @@ macro_rules! pairs {
     )* };
 }
 pairs! {
-    balls: ball ball;
-    boxes: solid solid;
-    plates: plate plate;
-    links_and_boxes: link solid;
-    links: link link;
-    wires: wire wire;
-    wires_and_faces: wire face;
-    faces: face face;
-    cans_and_balls: can ball;
-    balls_and_tips: ball tip;
-    cans_and_boxes: can solid;
-    eggs: egg egg;
-    stones: stone stone;
+    balls: ball ball, 1e-13;
+    boxes: solid solid, 1e-13;
+    plates: plate plate, 1e-13;
+    links_and_boxes: link solid, 1e-13;
+    links: link link, 1e-13;
+    wires: wire wire, 1e-13;
+    wires_and_faces: wire face, 1e-13;
+    faces: face face, 1e-13;
+    cans_and_balls: can ball, 1e-13;
+    balls_and_tips: ball tip, 1e-13;
+    cans_and_boxes: can solid, 1e-10;
+    eggs: egg egg, 1e-10;
+    stones: stone stone, 1e-13;
 }
 
 /// Derivatives against differences, and symmetric Hessians against differences of gradients.
