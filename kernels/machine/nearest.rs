@@ -103,7 +103,8 @@ calls! {
     /// let masts = [Circle::new(Vec2::new(9.0_f64, 0.0), 1.0), Circle::new(Vec2::new(0.0, 5.0), 1.0)];
     /// let carts = [Vec2::new(0.0, 0.0), Vec2::new(0.0, -90.0)];
     /// let near = Cpu::new().row_min_within(Distance, &carts, &masts, 10.0)?;
-    /// assert_eq!(near.map(|best| best.map(|best| best.index)), [Some(1), None]);
+    /// let near: Vec<_> = near.iter().map(|best| best.map(|best| best.index)).collect();
+    /// assert_eq!(near, [Some(1), None]);
     /// # Ok::<(), geograd::Error>(())
     /// ```
     row_min_within(cap: Number<A>) -> Nearest<A> = |machine, call, lists| {
