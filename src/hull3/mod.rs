@@ -3,7 +3,7 @@
 //! A record ([`HullFaces`]) says which points are corners and which of them bound each face; measures replay it on
 //! points of any scalar, so that derivatives go to the corners. Points inside, on faces and on edges, and repeated ones
 //! but the first are no corners and have derivative zero. Points in a plane have a hull with two faces, one seen from
-//! either side. [`Hull3`](crate::Hull3) is a hull as a shape, with distances.
+//! either side. [`Hull3`] is a hull as a shape, with distances.
 //!
 //! ```
 //! use geograd::{Vec3, hull3::hull_search};
