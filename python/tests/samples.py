@@ -36,7 +36,8 @@ class Row:
             width = max(size - whole, 1)
             part = numbers[:, at : at + width]
             if whole:
-                part = np.concatenate([part, _counts(part.reshape(len(part), -1, 2))[:, None]], -1)
+                vertices = part.reshape(len(part), -1, 3 if shape.startswith("Hull3") else 2)
+                part = np.concatenate([part, _counts(vertices)[:, None]], -1)
             arrays.append(np.ascontiguousarray(part if size else part[:, 0]))
             at += width
         return arrays
