@@ -45,7 +45,7 @@ struct NearestState<S> {
     least: S,
     /// The farthest coordinate of a vertex.
     extent: S,
-    /// What decides the winding number.
+    /// The edges that decide the winding number.
     passes: Passes<S>,
 }
 

@@ -203,7 +203,7 @@ impl<S: Scalar<Mask = bool>, const N: usize> Hull3<S, N> {
     /// ```
     #[must_use]
     pub fn contains(&self, point: Vec3<S>) -> bool {
-        // Of equal points the first is the corner, so that a point at a vertex is none.
+        // The first of equal points is the corner, so that a point at a vertex is none.
         let mut all = self.as_slice().to_vec();
         all.push(point);
         let last = all.len() - 1;

@@ -145,7 +145,7 @@ def shared(files):
     known, modules = {}, {}
     for file, text in files.items():
         head, *blocks, own = text.split("\n\n")
-        # What blocks declare, and what each of them and the module's own function call.
+        # The names that blocks declare, and those that each of them and the module's own function call.
         for block in blocks:
             for name in re.findall(r"^(?:function|const) (program_\w+)", block, re.M):
                 assert known.setdefault(name, block) == block, name

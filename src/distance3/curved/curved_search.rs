@@ -210,7 +210,7 @@ impl Solids<'_> {
     /// touch may be stationary without being the best near it.
     fn better(&self, found: &Found) -> Option<Vec3<f64>> {
         let [x, y] = tangents(found.touch.normal);
-        // Where a rim is as far from the middles' line as the other one's reach, the only better ways are along that line.
+        // A rim as far from the line of the middles as the other one's reach has better ways along that line alone.
         let between = self.b.middle() - self.a.middle();
         let aside = x * x.dot(between) + y * y.dot(between);
         let length = aside.length();

@@ -12,7 +12,7 @@ pub struct Difference {
     pub b: Vec3<f64>,
 }
 
-/// What the iteration found.
+/// The result of the iteration.
 #[derive(Clone, Copy, Debug)]
 pub struct Gap {
     /// The vector from the nearest point of a to that of b.

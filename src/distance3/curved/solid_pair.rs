@@ -5,12 +5,12 @@ use super::support::Supported;
 use super::touch::Touch;
 use crate::Vec3;
 
-/// What decides about two solids.
+/// The decisions about two solids.
 #[derive(Clone, Copy, Debug)]
 pub struct Found {
     /// The numbers of the pieces.
     pub pieces: [usize; 2],
-    /// Where and along which normal they touch.
+    /// The touch, with its normal.
     pub touch: Touch<f64>,
     /// The gap of the supports along the normal.
     pub value: f64,

@@ -30,11 +30,11 @@ pub struct Touch<S> {
 /// Constants by which a piece's equations are multiplied, so that none vanishes with the solid's size.
 #[derive(Clone, Copy, Debug)]
 struct Units {
-    /// Of the equations by coordinates: shares of the largest half extent of an ellipsoid, else ones.
+    /// The units of the equations by coordinates: shares of the largest half extent of an ellipsoid, else ones.
     shares: [f64; 3],
-    /// Of an ellipsoid one over the largest half extent; 0 if that is zero.
+    /// One over the largest half extent of an ellipsoid; 0 if that is zero.
     over: f64,
-    /// Of the equation by the share of the axis: one over its length.
+    /// The unit of the equation by the share of the axis: one over its length.
     axis: f64,
 }
 

@@ -57,7 +57,7 @@ pub fn candidates(solid: &dyn Supported, normal: Vec3<f64>, at: Vec3<f64>) -> Ve
             let place = solid.clamped(k, &start(&piece, at, normal, by_normal));
             let point = piece.at(&place);
             let off = (point - at).length() + normal.dot(highest - point);
-            // Of pieces that are equally likely the one with the fewest parameters.
+            // The piece with the fewest parameters is taken of those that are equally likely.
             let simple = 1e-14 * (piece.kind.ways() + usize::from(piece.kind.has_axis())) as f64;
             all.push(Candidate {
                 off: off * over + strain(&piece, &place, normal) + simple,

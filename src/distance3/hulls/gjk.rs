@@ -2,7 +2,7 @@
 use super::highest_point::PointColumns;
 use crate::Vec3;
 
-/// What the iteration found.
+/// The result of the iteration.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Gap {
     /// The vector from the nearest point of a to that of b.

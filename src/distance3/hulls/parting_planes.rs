@@ -142,7 +142,7 @@ pub(super) fn best(a: &Body<'_>, b: &Body<'_>, slack: f64, rounding: f64) -> Vec
     along_faces(b, a, true, &mut best);
     along_edges(a, b, rounding, &mut best);
     let Best { mut all, most, .. } = best;
-    // Of parallel planes the first is kept, whose gap is less by as much.
+    // The first of parallel planes is kept, whose gap is less by as much.
     all.retain(|plane| plane.gap >= most - 2.0 * slack);
     all
 }

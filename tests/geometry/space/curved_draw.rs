@@ -19,7 +19,7 @@ pub const FAMILIES: [&str; 12] = [
     "far from the origin",
 ];
 
-/// Where a shape is, how it is turned, and lengths.
+/// The place of a shape, its turn, and lengths.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame {
     pub at: Vec3<f64>,

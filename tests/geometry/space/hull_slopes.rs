@@ -56,7 +56,7 @@ fn inner(x: &Pair<f64>, y: &Pair<f64>) -> f64 {
 #[test]
 fn first_derivatives_are_between_one_sided_differences() {
     let mut random = Random(0x7f4a_7c15_9e37_79b9);
-    // Of identical ones so many features tie, of which some are left out, that slopes of both sides bound none.
+    // Identical ones have so many ties, some of which are left out, that slopes of both sides bound none.
     for family in [0, 1, 2, 8] {
         let (mut judged, mut rough) = (0, 0);
         for _ in 0..120 {

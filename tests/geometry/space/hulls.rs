@@ -94,7 +94,7 @@ fn hulls_are_as_far_apart_as_the_oracle_says() {
             );
             assert!((way.dot(out.direction) - found).abs() <= near, "{}", told());
             for (hull, point) in [(&a, points.on_a), (&b, points.on_b)] {
-                // Of planes that tie within rounding the first may be one whose foot is just beside a face.
+                // The first of planes that tie within rounding may be one whose foot is just beside a face.
                 assert!(
                     outside(hull, point) <= near + 1e-9 * unit,
                     "{} {point:?}",
