@@ -93,14 +93,19 @@ pub fn turn_between<S: Scalar<Mask = bool>>(from: [Vec2<S>; 2], to: [Vec2<S>; 2]
     }
 }
 
-/// Returns the order of two points by x, then by y.
+/// Returns the order of two numbers; equal where one is NaN.
 #[inline]
-pub(crate) fn left_to_right<S: Scalar<Mask = bool>>(a: Vec2<S>, b: Vec2<S>) -> Ordering {
-    let order = |a: S, b: S| match (a.below(b), b.below(a)) {
+pub(crate) fn order<S: Scalar<Mask = bool>>(a: S, b: S) -> Ordering {
+    match (a.below(b), b.below(a)) {
         (true, _) => Ordering::Less,
         (_, true) => Ordering::Greater,
         _ => Ordering::Equal,
-    };
+    }
+}
+
+/// Returns the order of two points by x, then by y.
+#[inline]
+pub(crate) fn left_to_right<S: Scalar<Mask = bool>>(a: Vec2<S>, b: Vec2<S>) -> Ordering {
     order(a.x, b.x).then(order(a.y, b.y))
 }
 

@@ -2,6 +2,7 @@
 use super::apart::Apart;
 use super::facing::Patch;
 use super::relation::Relation;
+use crate::predicate::order;
 use crate::scalar::most_of;
 use crate::{Scalar, Vec3};
 
@@ -380,12 +381,5 @@ fn arrange<S: Scalar<Mask = bool>>(all: &mut [Placed<S>]) {
     let sum = |k: usize| all.iter().fold(S::Primal::zero(), |sum, p| sum + p.at[k]);
     let mean = [sum(0).over(count), sum(1).over(count)];
     let angle = |p: &Placed<S>| (p.at[1] - mean[1]).atan2(p.at[0] - mean[0]);
-    all.sort_by(|a, b| {
-        let (a, b) = (angle(a), angle(b));
-        match (a.below(b), b.below(a)) {
-            (true, _) => std::cmp::Ordering::Less,
-            (_, true) => std::cmp::Ordering::Greater,
-            _ => std::cmp::Ordering::Equal,
-        }
-    });
+    all.sort_by(|a, b| order(angle(a), angle(b)));
 }

@@ -1,8 +1,8 @@
 //! The least distance of two moving bodies.
 use super::moving::{Body3, Bounds, MovingPair};
 use crate::distance3::Apart;
+use crate::predicate::order;
 use crate::{Scalar, Vec3};
-use std::cmp::Ordering;
 
 /// The least signed distance of two moving bodies of space, and its time.
 #[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
@@ -164,15 +164,6 @@ impl<P: Scalar<Mask = bool>> Least<P> {
         } else if sample.time.equals(self.sample.time) {
             self.width = width;
         }
-    }
-}
-
-/// Returns the order of two numbers.
-fn order<P: Scalar<Mask = bool>>(a: P, b: P) -> Ordering {
-    match (a.below(b), b.below(a)) {
-        (true, _) => Ordering::Less,
-        (_, true) => Ordering::Greater,
-        _ => Ordering::Equal,
     }
 }
 
