@@ -53,7 +53,7 @@ pub(crate) struct Framed<S> {
 #[inline(always)]
 pub(crate) fn frame<S: Scalar>(shape: Obb2<S>) -> Framed<S> {
     let half = Vec2::new(shape.size.x.halved(), shape.size.y.halved());
-    if S::COMPENSATED {
+    if S::format().is_compensated() {
         let [(sin_high, sin_low), (cos_high, cos_low)] = shape.heading.sin_cos_parts();
         let (cos, sin) = (cos_high + cos_low, sin_high + sin_low);
         Framed {
@@ -132,7 +132,7 @@ pub(crate) struct Relative<S: Scalar> {
 fn difference<S: Scalar, const EXTREME: bool>(a: S, b: S, scale: S) -> (S, S) {
     let rounded = b - a;
     let mut lost = S::Primal::zero();
-    if S::COMPENSATED {
+    if S::format().is_compensated() {
         lost = twofold::lost(b.primal(), a.primal(), rounded.primal());
     }
     let lost = S::from_primal(lost);
@@ -143,7 +143,10 @@ fn difference<S: Scalar, const EXTREME: bool>(a: S, b: S, scale: S) -> (S, S) {
     let near = x.unsigned().at_most(far);
     let x = S::select(near, x, S::select(x.below(S::zero()), -far, far));
     // Near the largest number what rounding took may be beyond it.
-    let told = near & rounded.unsigned().at_most(S::lit(0.5 * S::LARGEST));
+    let told = near
+        & rounded
+            .unsigned()
+            .at_most(S::lit(0.5 * S::format().largest()));
     (x, S::select(told, lost * scale, S::zero()))
 }
 
@@ -161,7 +164,7 @@ pub(crate) fn relate<S: Scalar, const EXTREME: bool>(
     let (dx, lost_x) = difference::<S, EXTREME>(a.center.x, b.center.x, scale);
     let (dy, lost_y) = difference::<S, EXTREME>(a.center.y, b.center.y, scale);
     let (u, v, cos, sin);
-    if S::COMPENSATED {
+    if S::format().is_compensated() {
         let ((dx_high, dx_low), (dy_high, dy_low)) = (dx.parts(), dy.parts());
         let (dx_low, dy_low) = (dx_low + lost_x, dy_low + lost_y);
         u = (a.cos_high * dx_high + a.sin_high * dy_high)
@@ -192,7 +195,7 @@ pub(crate) fn relate<S: Scalar, const EXTREME: bool>(
         S::select(swapped, half_b.y, half_b.x),
         S::select(swapped, half_b.x, half_b.y),
     );
-    let parallel = sin.unsigned().below(S::lit(S::PARALLEL));
+    let parallel = sin.unsigned().below(S::lit(S::format().parallel()));
     let cos = S::select(parallel, cos.with_primal(S::Primal::one()), cos);
     let sin = S::select(parallel, sin.with_primal(S::Primal::zero()), sin);
 
@@ -446,7 +449,7 @@ pub(crate) fn is_ordinary<S: Scalar>(shape: Obb2<S>) -> S::Mask {
         & zero_or_within(size.y, small, large)
         & zero_or_within(center.x.unsigned(), fine, far)
         & zero_or_within(center.y.unsigned(), fine, far)
-        & zero_or_within(shape.heading.unsigned(), fine, S::lit(S::LARGEST))
+        & zero_or_within(shape.heading.unsigned(), fine, S::largest())
 }
 
 /// Returns `true` where a number is zero or from `low` to `high`.

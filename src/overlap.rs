@@ -10,7 +10,7 @@
 //! 10⁻⁴ where a box is 3·10⁷ times longer than wide.
 //!
 //! A box counts as empty when it is so thin that, with its longer side as the unit of length, its area is
-//! at most [`Scalar::EMPTY`]: longer than wide by a factor beyond about 10³⁷ in `f32` and 10³⁰⁶ in `f64`.
+//! at most [`Format::empty`](crate::scalar::Format::empty): longer than wide by a factor beyond about 10³⁷ in `f32` and 10³⁰⁶ in `f64`.
 //! Two such boxes score 0, also when they are identical.
 //!
 //! Values and derivatives are finite for all finite valid input, for upstream derivatives of any size; derivatives by
@@ -36,7 +36,7 @@ use crate::{Aabb2, Mask, Obb2, Scalar, Vec2};
 #[inline(always)]
 pub(crate) fn ratio_of_union<S: Scalar>(inter: S, area_a: S, area_b: S) -> S {
     let total = area_a + area_b - inter;
-    let empty = total.at_most(S::lit(S::EMPTY));
+    let empty = total.at_most(S::lit(S::format().empty()));
     S::select(
         empty,
         S::zero(),
@@ -47,7 +47,7 @@ pub(crate) fn ratio_of_union<S: Scalar>(inter: S, area_a: S, area_b: S) -> S {
 /// Returns the intersection over the first area, in `[0, 1]`; zero with derivative zero when that is empty.
 #[inline(always)]
 pub(crate) fn ratio_of_first<S: Scalar>(inter: S, area_a: S) -> S {
-    let empty = area_a.at_most(S::lit(S::EMPTY));
+    let empty = area_a.at_most(S::lit(S::format().empty()));
     S::select(
         empty,
         S::zero(),

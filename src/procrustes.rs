@@ -264,7 +264,7 @@ fn optimum<S: Scalar>([a, b, c]: [Vec3<S>; 3]) -> (Rotation3<S>, [Vec3<S>; 3]) {
         }
     }
     // The eigenvalues are off by a few roundings of the largest.
-    let tolerance = most * S::lit(64.0 * S::EPSILON);
+    let tolerance = most * S::rounding(64.0, 1);
     let free: [S::Mask; 4] = std::array::from_fn(|i| (most - k[i][i]).at_most(tolerance));
     // The part of no rotation in the space of all that fit equally well.
     let mut near = [zero; 4];
@@ -273,7 +273,7 @@ fn optimum<S: Scalar>([a, b, c]: [Vec3<S>; 3]) -> (Rotation3<S>, [Vec3<S>; 3]) {
             *sum += S::select(free, x * vector[0], zero);
         }
     }
-    let far = near[0].at_most(S::lit(S::EPSILON));
+    let far = near[0].at_most(S::rounding(1.0, 1));
     let pick = |i: usize| S::select(far, best[i], near[i]);
     let start = Rotation3::new(pick(0), pick(1), pick(2), pick(3)).normalized();
     let mut inverse = [Vec3::zero(); 3];

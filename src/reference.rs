@@ -82,7 +82,7 @@ impl<S: Scalar> Reference<S> {
     #[inline(always)]
     pub(crate) fn of_fourth_powers(mut self) -> Self {
         let (least, most) = (least_unit::<S>(), S::lit(0.25 * ratio::<S>()));
-        let last = least * S::lit(power_of_largest::<S>(0.21875 * 5.0 / 28.0)).binade();
+        let last = least * S::largest_to(0.21875 * 5.0 / 28.0).binade();
         let held = self.scale.below(least) & self.scale.at_least(last);
         self.scale = S::select(held, self.scale.over(most.binade()), self.scale);
         self

@@ -34,7 +34,7 @@ pub(crate) struct Halves<P> {
 impl<P: Scalar> Halves<P> {
     #[inline(always)]
     pub(crate) fn of(whole: P) -> Self {
-        let (high, low) = if P::EPSILON > 1e-10 {
+        let (high, low) = if P::format().epsilon() > 1e-10 {
             whole.parts()
         } else {
             // If 53 digits are cut in two, one half has 27, too many for a product. Rounded to 26, the rest has a sign
@@ -132,7 +132,7 @@ impl<P: Scalar> Twofold<P> {
     /// high part.
     #[inline(always)]
     pub(crate) fn settled(self, terms: P) -> P {
-        let least = terms * P::lit(16.0 * P::EPSILON * P::EPSILON);
+        let least = terms * P::lit(16.0 * P::format().epsilon() * P::format().epsilon());
         P::select(self.high.magnitude().at_most(least), P::zero(), self.high)
     }
 }

@@ -26,13 +26,13 @@ use crate::{Obb2, Scalar, Vec2};
 #[inline(always)]
 fn per<S: Scalar>(x: S) -> S {
     let (zero, one) = (S::zero(), S::one());
-    let empty = x.at_most(S::lit(S::EMPTY));
+    let empty = x.at_most(S::lit(S::format().empty()));
     S::select(empty, zero, one.over(S::select(empty, one, x)))
 }
 /// Returns a term so far below the largest number that a sum of some of them is one.
 #[inline(always)]
 fn bounded<S: Scalar, const EXTREME: bool>(x: S) -> S {
-    let most = S::lit(S::LARGEST / 16.0);
+    let most = S::lit(S::format().largest() / 16.0);
     if EXTREME { x.clamp(-most, most) } else { x }
 }
 

@@ -62,7 +62,7 @@ pub(crate) fn score_derivatives<S: Scalar>(
 /// Returns one over a number, or zero for one so small that it counts as none.
 #[inline(always)]
 pub(crate) fn reciprocal_or_zero<S: Scalar>(x: S) -> S {
-    let empty = x.at_most(S::lit(S::EMPTY));
+    let empty = x.at_most(S::lit(S::format().empty()));
     S::select(
         empty,
         S::zero(),

@@ -22,7 +22,7 @@ fn by_volumes<S: Scalar>(
         Denominator::Union => a + b - shared,
         Denominator::First => a,
     };
-    let empty = divisor.at_most(S::lit(S::EMPTY));
+    let empty = divisor.at_most(S::lit(S::format().empty()));
     let per = S::one().over(S::select(empty, S::one(), divisor));
     let per = S::select(empty, zero, per) * out_bar;
     match over {
@@ -226,7 +226,7 @@ fn by_quaternion<S: Scalar, const EXTREME: bool>(
     // some room. The derivative grows as the length falls.
     let (near, first) = to_about_half(rotation);
     let (near, second) = to_about_half(near);
-    let most = S::lit(S::LARGEST / 4096.0);
+    let most = S::lit(S::format().largest() / 4096.0);
     let tangent = Vec3::new(
         tangent.x.clamp(-most, most),
         tangent.y.clamp(-most, most),

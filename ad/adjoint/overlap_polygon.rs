@@ -240,7 +240,7 @@ pub fn iou_polygons_vjp<S: Scalar, const N: usize, const M: usize>(
     let shared = measure(a, b);
     let [inter, area_a, area_b] = shared.areas;
     let union = area_a + area_b - inter;
-    let empty = union.at_most(S::lit(S::EMPTY));
+    let empty = union.at_most(S::lit(S::format().empty()));
     let per = S::one().over(S::select(empty, S::one(), union));
     let per = S::select(empty, S::zero(), per * out_bar);
     let ratio = crate::overlap::ratio_of_union(inter, area_a, area_b);

@@ -54,7 +54,7 @@ fn derivatives<S: Scalar>(pair: &QuadPair<S>) -> Quads<S> {
     let (zero, one, half) = (S::zero(), S::one(), S::lit(0.5));
     // Two sides whose product is no larger count as parallel; its reciprocal is finite, times any fraction of
     // a side that is not parallel.
-    let tiny = S::lit(TINY * S::EMPTY);
+    let tiny = S::lit(TINY * S::format().empty());
     let whole = EdgePart {
         from: zero,
         to: one,
@@ -136,7 +136,7 @@ pub(crate) fn area_of_quads_vjp<S: Scalar, const EXTREME: bool>(
         choose_quad(pair.exchanged, of_first, of_second),
     );
     // Lengths were halved and scaled; what saturates has no derivatives.
-    let nothing = pair.nothing | area.above(S::lit(S::LARGEST));
+    let nothing = pair.nothing | area.above(S::lit(S::format().largest()));
     let out_bar = S::select(nothing, zero, out_bar);
     let (out_bar, steep) = if EXTREME {
         tamed(out_bar)

@@ -169,7 +169,7 @@ pub fn iou_vjp<'a, S: Scalar<Mask = bool>>(
         |pair, [inter, area_a, area_b]| {
             let value = ratio_of_union(inter, area_a, area_b);
             let union = area_a + area_b - inter;
-            let flat = pair.same || union.at_most(S::lit(S::EMPTY));
+            let flat = pair.same || union.at_most(S::lit(S::format().empty()));
             let per = S::select(
                 flat,
                 S::zero(),
@@ -204,7 +204,7 @@ pub fn iof_vjp<'a, S: Scalar<Mask = bool>>(
         (a_bar, b_bar),
         |_, [inter, area_a, _]| {
             let value = ratio_of_first(inter, area_a);
-            let flat = area_a.at_most(S::lit(S::EMPTY));
+            let flat = area_a.at_most(S::lit(S::format().empty()));
             let per = S::select(
                 flat,
                 S::zero(),

@@ -144,8 +144,8 @@ pub fn signed_distance_vjp<'a, S: Scalar<Mask = bool>>(
     let state = rings.fold(point);
     let value = state.signed_distance(fill);
     // Edges that may be the nearest one: measured one by one, a distance may differ by roundings from the least.
-    let reach = state.distance * S::lit(1.0 + 64.0 * S::EPSILON);
-    let mut least = S::lit(S::LARGEST);
+    let reach = state.distance * S::lit(1.0 + 64.0 * S::format().epsilon());
+    let mut least = S::lit(S::format().largest());
     let mut nearest: Vec<([usize; 2], [Vec2<S>; 2])> = Vec::new();
     let mut first = 0;
     for ring in rings.iter() {

@@ -1,6 +1,5 @@
 //! Adjoints of the measures of a ring: one cotangent per vertex, written into the caller's slice.
 use crate::ring::{Local, Measure, SIDE};
-use crate::scalar::power_of_largest;
 use crate::{Mask, Scalar, Vec2};
 
 /// Returns a vertex's derivatives at the nearest finite numbers.
@@ -121,7 +120,7 @@ pub fn centroid_vjp<S: Scalar>(ring: &[Vec2<S>], out_bar: Vec2<S>, ring_bar: &mu
     let flat = twice.equals(S::zero());
     // An area next to nothing, or an enormous upstream derivative: then no term of a sum is larger than the
     // largest number, so that two of opposite sign leave a number.
-    let large = S::lit(power_of_largest::<S>(0.125));
+    let large = S::largest_to(0.125);
     let tame = (twice.magnitude() * large).at_least(S::one())
         & (out_bar.x.magnitude().most(out_bar.y.magnitude())).at_most(large);
     let wild = !(tame | flat).all();

@@ -107,10 +107,10 @@ macro_rules! wrapped {
     ($wrapper:ident of $number:ident) => {
         type Mask = bool;
         type Primal = Self;
-        const COMPENSATED: bool = <$number as Scalar>::COMPENSATED;
-        const EPSILON: f64 = <$number as Scalar>::EPSILON;
-        const PARALLEL: f64 = <$number as Scalar>::PARALLEL;
-        const LARGEST: f64 = $number::LARGEST;
+        #[inline(always)]
+        fn format() -> crate::scalar::Format {
+            <$number as Scalar>::format()
+        }
 
         #[inline(always)]
         fn lit(x: f64) -> Self {

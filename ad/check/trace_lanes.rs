@@ -104,10 +104,10 @@ wrapped_operators!(TracedLanes, |x| x.each(T::neg));
 impl<T: Real> Scalar for TracedLanes<T> {
     type Mask = Outcomes;
     type Primal = Self;
-    const COMPENSATED: bool = T::COMPENSATED;
-    const EPSILON: f64 = T::EPSILON;
-    const PARALLEL: f64 = T::PARALLEL;
-    const LARGEST: f64 = T::LARGEST;
+    #[inline(always)]
+    fn format() -> crate::scalar::Format {
+        T::format()
+    }
 
     #[inline(always)]
     fn lit(x: f64) -> Self {

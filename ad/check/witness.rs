@@ -25,7 +25,7 @@ impl Precision {
     /// Returns the precision of a type.
     #[must_use]
     pub fn of<S: Scalar>() -> Self {
-        if S::EPSILON > f64::EPSILON {
+        if S::format().epsilon() > f64::EPSILON {
             Precision::F32
         } else {
             Precision::F64

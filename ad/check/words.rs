@@ -100,7 +100,7 @@ pub(crate) fn remedy(reason: Reason) -> &'static [&'static str] {
             "        `and`, and `samples(0)`",
         ],
         Reason::Unrecordable(Unrecordable::Constant) => &[
-            "remedy: use finite literals, such as the largest number (`S::LARGEST`) instead of infinity",
+            "remedy: use finite literals, such as the largest number (`S::format().largest()`) instead of infinity",
         ],
         Reason::Unrecordable(Unrecordable::Hint) => {
             &["remedy: choose with `select`; a branch on `any` or `all` may only save work"]

@@ -137,9 +137,9 @@ fn function<F: Functions>(
     name: &str,
     takes: &'static [&'static str],
     start: &str,
-    formula: Listed<'_, f64>,
+    formula: Listed<'_>,
 ) -> String {
-    let (graph, outputs) = match graph_of::<f64>(takes.len(), formula) {
+    let (graph, outputs) = match graph_of(Format::F64, takes.len(), formula) {
         Ok(made) => made,
         Err(_) => unreachable!("the formulas of scalars are straight lines"),
     };

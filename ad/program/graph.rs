@@ -2,7 +2,7 @@
 //!
 //! A [`Graph`] is a list of [`Node`]s in an order in which every node comes after its operands.
 //! Equal nodes are one node. Nodes are made through [`Graph::make`], which simplifies exactly.
-pub use crate::scalar::real::Format;
+pub use crate::scalar::Format;
 use std::collections::HashMap;
 
 /// The index of a node in its graph.

@@ -13,8 +13,8 @@ const MOST_OPERATIONS: usize = 1 << 22;
 /// The name of a recording that no recording has: of symbols made outside any.
 pub(super) const NOWHERE: u64 = 0;
 
-/// The next recording's name. Names are unique in the process, as symbols may change threads.
-static NEXT: AtomicU64 = AtomicU64::new(NOWHERE + 1);
+/// The number of recordings that were opened. Names are unique in the process, as symbols may change threads.
+static OPENED: AtomicU64 = AtomicU64::new(0);
 
 thread_local! {
     static OPEN: RefCell<Vec<Recording>> = const { RefCell::new(Vec::new()) };
@@ -66,7 +66,7 @@ impl Recording {
         graph.plain = plain;
         // The indices that symbols of a spoiled recording point to.
         graph.lit(0.0);
-        let name = NEXT.fetch_add(1, Ordering::Relaxed);
+        let name = 1 + OPENED.fetch_add(1, Ordering::Relaxed) % Symbol::MOST_NAMES;
         let recording = Recording {
             name,
             graph,
@@ -102,7 +102,7 @@ impl Recording {
     /// Returns an error unless the recording that is open on this thread made the symbol, and is sound.
     pub(super) fn owns(symbol: Symbol) -> Result<(), Unrecordable> {
         OPEN.with_borrow(|open| match open.last() {
-            Some(recording) if recording.name == symbol.recording => recording.sound(),
+            Some(recording) if recording.name == symbol.recording() => recording.sound(),
             _ => Err(Unrecordable::ForeignSymbol),
         })
     }
@@ -114,10 +114,14 @@ impl Recording {
 
     /// Returns the node of a symbol of this recording; a symbol of another recording spoils this one.
     pub(super) fn place(&mut self, symbol: Symbol) -> Id {
-        if symbol.recording != self.name {
+        if symbol.recording() != self.name {
             self.spoil(Unrecordable::ForeignSymbol);
         }
-        if self.flaw.is_some() { 0 } else { symbol.place }
+        if self.flaw.is_some() {
+            0
+        } else {
+            symbol.index()
+        }
     }
 
     fn spoil(&mut self, flaw: Unrecordable) {
@@ -125,48 +129,151 @@ impl Recording {
     }
 
     /// Returns the symbol of an index.
-    fn symbol(&self, place: Id) -> Symbol {
-        Symbol {
-            recording: self.name,
-            place,
+    fn symbol(&mut self, place: Id) -> Symbol {
+        if place >> Symbol::INDEX_BITS != 0 {
+            self.spoil(Unrecordable::TooLong);
+            return self.symbol(0);
         }
+        Symbol(self.name << Symbol::INDEX_BITS | u64::from(place))
     }
 }
 
-/// An index of a node in a recording.
+/// An index of a node in a recording: the recording's name above the bits of the index.
+///
+/// One word, since recorded functions are long and do nothing but pass symbols on: with two they are half as long again.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Symbol {
-    recording: u64,
-    place: Id,
-}
+pub(super) struct Symbol(u64);
 
 impl Symbol {
     /// The result of operations outside any recording.
-    const INERT: Symbol = Symbol {
-        recording: NOWHERE,
-        place: 0,
-    };
+    const INERT: Symbol = Symbol(NOWHERE);
+    /// The bits of an index: room for the nodes of four times [`MOST_OPERATIONS`].
+    const INDEX_BITS: u32 = 24;
+    /// The number of names of recordings, without [`NOWHERE`].
+    const MOST_NAMES: u64 = (1 << (u64::BITS - Self::INDEX_BITS)) - 1;
 
-    /// Returns the symbol of an operation on symbols, in the recording that is open; `node` receives their indices.
-    pub(super) fn made<const N: usize>(
-        format: Format,
+    /// Returns the name of its recording.
+    const fn recording(self) -> u64 {
+        self.0 >> Self::INDEX_BITS
+    }
+    /// Returns the index of its node.
+    const fn index(self) -> Id {
+        // Of the lower bits alone, which fit.
+        (self.0 & ((1 << Self::INDEX_BITS) - 1)) as Id
+    }
+
+    /// Returns the symbol of a number, rounded to the format of the recording that is open.
+    // Not inlined, nor the others: a recorded function is long, and is called once. Without the type of the number, so
+    // that the machine code of a function is the same for both formats, and compilers keep one.
+    #[inline(never)]
+    pub(super) fn constant(x: f64) -> Symbol {
+        Self::of_format(|_| x)
+    }
+    /// Returns the symbol of a power of a multiple of the format's epsilon.
+    #[inline(never)]
+    pub(super) fn rounding(factor: f64, power: i32) -> Symbol {
+        Self::of_format(|format| (factor * format.epsilon()).powi(power))
+    }
+    /// Returns the symbol of the largest finite number.
+    #[inline(never)]
+    pub(super) fn largest() -> Symbol {
+        Self::of_format(Format::largest)
+    }
+    /// Returns the symbol of the finite number that is farthest below zero.
+    #[inline(never)]
+    pub(super) fn lowest() -> Symbol {
+        Self::of_format(|format| -format.largest())
+    }
+    /// Returns the symbol of the largest finite number to a power.
+    #[inline(never)]
+    pub(super) fn largest_to(power: f64) -> Symbol {
+        Self::of_format(|format| format.largest_to(power))
+    }
+    /// Returns the format of the recording that is open, double precision if there is none.
+    #[inline(never)]
+    pub(super) fn format() -> Format {
+        OPEN.with_borrow(|open| open.last().map_or(Format::F64, |last| last.graph.format))
+    }
+    /// Returns the symbol of a number that the format has.
+    fn of_format(number: impl FnOnce(Format) -> f64) -> Symbol {
+        Self::made([], |[], format| {
+            Node::Const(format.round(number(format)).to_bits())
+        })
+    }
+    /// Returns the value without its derivatives.
+    #[inline(never)]
+    pub(super) fn primal(self) -> Symbol {
+        Self::made([self], |[value], _| Node::Graft {
+            value,
+            derivative: None,
+            share: None,
+        })
+    }
+    /// Returns this derivative with another value.
+    #[inline(never)]
+    pub(super) fn with_primal(self, value: Symbol) -> Symbol {
+        Self::made([self, value], |[derivative, value], _| Node::Graft {
+            value,
+            derivative: Some(derivative),
+            share: None,
+        })
+    }
+    /// Returns this value with a share of a derivative.
+    #[inline(never)]
+    pub(super) fn with_share(self, derivative: Symbol, share: Symbol) -> Symbol {
+        let operands = [self, derivative, share];
+        Self::made(operands, |[value, derivative, share], _| Node::Graft {
+            value,
+            derivative: Some(derivative),
+            share: Some(share),
+        })
+    }
+    /// Returns the symbol of a node without operands.
+    #[inline(never)]
+    pub(super) fn leaf(node: Node) -> Symbol {
+        Self::made([], |[], _| node)
+    }
+    /// Returns the symbol of an operation on one symbol.
+    #[inline(never)]
+    pub(super) fn of_one(self, node: impl FnOnce(Id) -> Node) -> Symbol {
+        Self::made([self], |[x], _| node(x))
+    }
+    /// Returns the symbol of an operation on two symbols.
+    #[inline(never)]
+    pub(super) fn of_two(self, other: Symbol, node: impl FnOnce(Id, Id) -> Node) -> Symbol {
+        Self::made([self, other], |[a, b], _| node(a, b))
+    }
+    /// Returns the symbol of an operation on three symbols.
+    #[inline(never)]
+    pub(super) fn of_three(
+        self,
+        second: Symbol,
+        third: Symbol,
+        node: impl FnOnce(Id, Id, Id) -> Node,
+    ) -> Symbol {
+        Self::made([self, second, third], |[a, b, c], _| node(a, b, c))
+    }
+
+    /// Returns the symbol of an operation on symbols, in the recording that is open; `node` receives their indices and the
+    /// recording's format.
+    fn made<const N: usize>(
         operands: [Symbol; N],
-        node: impl FnOnce([Id; N]) -> Node,
+        node: impl FnOnce([Id; N], Format) -> Node,
     ) -> Symbol {
         OPEN.with_borrow_mut(|open| {
             let Some(recording) = open.last_mut() else {
                 return Symbol::INERT;
             };
-            if recording.graph.format != format {
-                recording.spoil(Unrecordable::ForeignSymbol);
-            }
             recording.asked += 1;
             if recording.asked > MOST_OPERATIONS {
                 recording.spoil(Unrecordable::TooLong);
             }
             let places = operands.map(|symbol| recording.place(symbol));
             let place = match recording.flaw {
-                None => recording.graph.make(node(places)),
+                None => {
+                    let format = recording.graph.format;
+                    recording.graph.make(node(places, format))
+                }
                 Some(_) => 0,
             };
             recording.symbol(place)
@@ -198,8 +305,8 @@ impl Symbol {
     /// Returns `true` if it is not NaN for any input.
     pub(super) fn is_number(self) -> bool {
         OPEN.with_borrow(|open| match open.last() {
-            Some(recording) if recording.name == self.recording && recording.flaw.is_none() => {
-                recording.graph.is_number(self.place)
+            Some(recording) if recording.name == self.recording() && recording.flaw.is_none() => {
+                recording.graph.is_number(self.index())
             }
             _ => true,
         })

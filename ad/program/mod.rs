@@ -66,6 +66,7 @@ pub(crate) mod wgsl;
 
 pub use cost::Cost;
 pub use graph::Format;
+pub(crate) use sym::Neutral;
 pub use sym::{Sym, SymMask};
 pub use typed::{Jacobian, Program};
 pub use wgsl::WGSL;

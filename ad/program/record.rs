@@ -1,9 +1,9 @@
 //! The recording of a function, and the test that the recording equals the function.
-use super::graph::{Graph, Id, Node};
+use super::graph::{Format, Graph, Id, Node};
 use super::in_progress::Recording;
 use super::packed::numbers;
 use super::recorded::Recorded;
-use super::sym::Sym;
+use super::sym::{Neutral, Sym, retyped};
 use crate::{Error, Fixed, Real, Scalar, Unrecordable};
 
 /// The number of inputs that a function with hints is tried on.
@@ -13,7 +13,7 @@ pub(crate) const TRIALS: usize = 192;
 const TRIALS_OF_REPLAY: usize = 12;
 
 /// A function of shapes as one of lists of symbols.
-pub(crate) type Listed<'a, T> = &'a dyn Fn(&[Sym<T>]) -> Vec<Sym<T>>;
+pub(crate) type Listed<'a> = &'a dyn Fn(&[Neutral]) -> Vec<Neutral>;
 
 /// Records a function of shapes of symbols.
 pub(crate) fn record<T, X, Y>(function: impl Fn(X) -> Y) -> Result<Recorded, Error>
@@ -22,18 +22,13 @@ where
     X: Fixed<Scalar = Sym<T>>,
     Y: Fixed<Scalar = Sym<T>>,
 {
-    if X::CODES + Y::CODES > 0 {
-        return Err(Error::Program(Unrecordable::Codes));
-    }
-    // All that follows is compiled once per format, and the function itself once.
-    listed(X::LEN, TRIALS, &|symbols| {
-        numbers(function(X::load(symbols)))
-    })
+    record_in::<T, X, Y>(T::FORMAT, function)
 }
 
-/// Records a function of shapes of symbols whose input has these codes.
-pub(crate) fn record_with_codes<T, X, Y>(
-    codes: &[u32],
+/// Records a function of shapes of symbols in a format. Functions over [`Neutral`] are compiled for both formats at
+/// once.
+pub(crate) fn record_in<T, X, Y>(
+    format: Format,
     function: impl Fn(X) -> Y,
 ) -> Result<Recorded, Error>
 where
@@ -41,34 +36,59 @@ where
     X: Fixed<Scalar = Sym<T>>,
     Y: Fixed<Scalar = Sym<T>>,
 {
+    if X::CODES + Y::CODES > 0 {
+        return Err(Error::Program(Unrecordable::Codes));
+    }
+    // All that follows is compiled once, and the function itself once.
+    listed(format, X::LEN, TRIALS, &|symbols| {
+        retyped(&numbers(function(X::load(&retyped(symbols)))))
+    })
+}
+
+/// Records a function of shapes of symbols whose input has these codes.
+pub(crate) fn record_with_codes<X, Y>(
+    format: Format,
+    codes: &[u32],
+    function: impl Fn(X) -> Y,
+) -> Result<Recorded, Error>
+where
+    X: Fixed<Scalar = Neutral>,
+    Y: Fixed<Scalar = Neutral>,
+{
     if Y::CODES > 0 {
         return Err(Error::Program(Unrecordable::Codes));
     }
-    listed(X::LEN, TRIALS_OF_REPLAY, &|symbols| {
+    listed(format, X::LEN, TRIALS_OF_REPLAY, &|symbols| {
         numbers(function(X::load(symbols).load_codes(codes)))
     })
 }
 
 /// Records a function of lists of symbols.
-pub(crate) fn listed<T: Real>(
+pub(crate) fn listed(
+    format: Format,
     inputs: usize,
     trials: usize,
-    function: Listed<'_, T>,
+    function: Listed<'_>,
 ) -> Result<Recorded, Error> {
-    let (recorded, hints) = recorded(inputs, function).map_err(Error::Program)?;
+    let (recorded, hints) = recorded(format, inputs, function).map_err(Error::Program)?;
+    let agrees = |trial| match format {
+        Format::F32 => agrees::<f32>(&recorded, inputs, function, trial),
+        Format::F64 => agrees::<f64>(&recorded, inputs, function, trial),
+    };
     // Without hints the function has one path, which was recorded.
-    if hints > 0 && !(0..trials).all(|trial| agrees(&recorded, inputs, function, trial)) {
+    if hints > 0 && !(0..trials).all(agrees) {
         return Err(Error::Program(Unrecordable::Hint));
     }
     Ok(recorded)
 }
 
 /// Returns the program of a function, and the number of hints it requested that were not known.
-fn recorded<T: Real>(
+fn recorded(
+    format: Format,
     inputs: usize,
-    function: Listed<'_, T>,
+    function: Listed<'_>,
 ) -> Result<(Recorded, usize), Unrecordable> {
-    let (outputs, recording) = run(false, &mut || function(&symbols(inputs)));
+    let (outputs, recording) = run(format, false, &mut || function(&symbols(inputs)));
     let mut recording = recording?;
     let outputs = places(&mut recording, &outputs)?;
     let recorded = Recorded::new(recording.graph, inputs, &outputs).checked_constants()?;
@@ -77,29 +97,31 @@ fn recorded<T: Real>(
 
 /// Returns the graph of a straight line of plain numbers and its results, of which zeros keep their signs. It may have
 /// infinite constants.
-pub(super) fn graph_of<T: Real>(
+pub(super) fn graph_of(
+    format: Format,
     inputs: usize,
-    function: Listed<'_, T>,
+    function: Listed<'_>,
 ) -> Result<(Graph, Vec<Id>), Unrecordable> {
-    let (outputs, recording) = run(false, &mut || function(&symbols(inputs)));
+    let (outputs, recording) = run(format, false, &mut || function(&symbols(inputs)));
     let mut recording = recording?;
     let outputs = places(&mut recording, &outputs)?;
     Ok(recording.graph.lowered(&outputs))
 }
 
 /// Returns the symbols of an input.
-fn symbols<T: Real>(inputs: usize) -> Vec<Sym<T>> {
+fn symbols(inputs: usize) -> Vec<Neutral> {
     let places = 0..inputs as u32;
     places.map(|place| Sym::leaf(Node::Input(place))).collect()
 }
 
 /// Runs a body in a recording.
-fn run<T: Real>(
+fn run(
+    format: Format,
     plain: bool,
-    body: &mut dyn FnMut() -> Vec<Sym<T>>,
-) -> (Vec<Sym<T>>, Result<Recording, Unrecordable>) {
+    body: &mut dyn FnMut() -> Vec<Neutral>,
+) -> (Vec<Neutral>, Result<Recording, Unrecordable>) {
     let mut outputs = Vec::new();
-    let recording = Recording::run(T::FORMAT, plain, &mut || outputs = body());
+    let recording = Recording::run(format, plain, &mut || outputs = body());
     (outputs, recording)
 }
 
@@ -114,15 +136,10 @@ pub(super) fn places<T: Real>(
 
 /// Returns `true` if the program gives the results of the function on plain numbers, for which every hint is answered
 /// by the truth. Plain numbers are symbols of constants here, and every operation on them is carried out at once.
-fn agrees<T: Real>(
-    recorded: &Recorded,
-    inputs: usize,
-    function: Listed<'_, T>,
-    trial: usize,
-) -> bool {
+fn agrees<T: Real>(recorded: &Recorded, inputs: usize, function: Listed<'_>, trial: usize) -> bool {
     let input: Vec<T> = sample(trial, inputs).into_iter().map(T::lit).collect();
-    let (outputs, recording) = run(true, &mut || {
-        let symbols: Vec<Sym<T>> = input.iter().map(|x| Sym::lit(x.widen())).collect();
+    let (outputs, recording) = run(T::FORMAT, true, &mut || {
+        let symbols: Vec<Neutral> = input.iter().map(|x| Sym::lit(x.widen())).collect();
         function(&symbols)
     });
     let Ok(mut recording) = recording else {

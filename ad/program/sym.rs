@@ -1,5 +1,5 @@
 //! A scalar that records the operations on it.
-use super::graph::Node;
+use super::graph::{Id, Node};
 use super::in_progress::Symbol;
 use crate::pack::leaf;
 use crate::{Mask, Real, Scalar};
@@ -17,6 +17,14 @@ pub struct Sym<T> {
     number: PhantomData<fn() -> T>,
 }
 
+/// A symbol of either format: which one it is the recording knows. Functions of rows are compiled for it alone.
+pub(crate) type Neutral = Sym<f64>;
+
+/// Returns the same symbols as numbers of another type.
+pub(super) fn retyped<T: Real, U: Real>(symbols: &[Sym<T>]) -> Vec<Sym<U>> {
+    symbols.iter().map(|x| Sym::new(x.symbol)).collect()
+}
+
 /// A truth of a program that is being recorded.
 #[derive(Clone, Copy, Debug)]
 pub struct SymMask<T> {
@@ -25,6 +33,7 @@ pub struct SymMask<T> {
 }
 
 impl<T: Real> Sym<T> {
+    #[inline(always)]
     fn new(symbol: Symbol) -> Self {
         Sym {
             symbol,
@@ -32,24 +41,21 @@ impl<T: Real> Sym<T> {
         }
     }
     /// Returns the symbol of a node without operands.
-    #[inline(never)]
+    #[inline(always)]
     pub(super) fn leaf(node: Node) -> Self {
-        Self::new(Symbol::made(T::FORMAT, [], |[]| node))
+        Self::new(Symbol::leaf(node))
     }
-    // Not inlined, nor the others: a recorded function is long, and is called once.
-    #[inline(never)]
-    fn of_one(self, node: impl FnOnce(u32) -> Node) -> Self {
-        Self::new(Symbol::made(T::FORMAT, [self.symbol], |[x]| node(x)))
+    #[inline(always)]
+    fn of_one(self, node: impl FnOnce(Id) -> Node) -> Self {
+        Self::new(self.symbol.of_one(node))
     }
-    #[inline(never)]
-    fn of_two(self, other: Self, node: impl FnOnce(u32, u32) -> Node) -> Self {
-        let operands = [self.symbol, other.symbol];
-        Self::new(Symbol::made(T::FORMAT, operands, |[a, b]| node(a, b)))
+    #[inline(always)]
+    fn of_two(self, other: Self, node: impl FnOnce(Id, Id) -> Node) -> Self {
+        Self::new(self.symbol.of_two(other.symbol, node))
     }
-    #[inline(never)]
-    fn compared(self, other: Self, node: impl FnOnce(u32, u32) -> Node) -> SymMask<T> {
-        let operands = [self.symbol, other.symbol];
-        SymMask::new(Symbol::made(T::FORMAT, operands, |[a, b]| node(a, b)))
+    #[inline(always)]
+    fn compared(self, other: Self, node: impl FnOnce(Id, Id) -> Node) -> SymMask<T> {
+        SymMask::new(self.symbol.of_two(other.symbol, node))
     }
     /// Returns a symbol with the value of `value` and the sum of the derivatives of every symbol of the list times its
     /// number.
@@ -58,16 +64,7 @@ impl<T: Real> Sym<T> {
         derivatives: impl Iterator<Item = (Self, Self)>,
     ) -> Self {
         let along = derivatives.fold(Self::zero(), |sum, (x, share)| {
-            let operands = [Self::zero().symbol, x.symbol, share.symbol];
-            sum + Self::new(Symbol::made(
-                T::FORMAT,
-                operands,
-                |[value, derivative, share]| Node::Graft {
-                    value,
-                    derivative: Some(derivative),
-                    share: Some(share),
-                },
-            ))
+            sum + Self::new(Self::zero().symbol.with_share(x.symbol, share.symbol))
         });
         along.with_primal(value)
     }
@@ -77,88 +74,100 @@ leaf! { [T: Real] Sym<T> }
 
 impl<T: Real> Add for Sym<T> {
     type Output = Self;
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
         self.of_two(other, Node::Add)
     }
 }
 impl<T: Real> Sub for Sym<T> {
     type Output = Self;
+    #[inline(always)]
     fn sub(self, other: Self) -> Self {
         self.of_two(other, Node::Sub)
     }
 }
 impl<T: Real> Mul for Sym<T> {
     type Output = Self;
+    #[inline(always)]
     fn mul(self, other: Self) -> Self {
         self.of_two(other, Node::Mul)
     }
 }
 impl<T: Real> Div for Sym<T> {
     type Output = Self;
+    #[inline(always)]
     fn div(self, other: Self) -> Self {
         self.of_two(other, Node::Div)
     }
 }
 impl<T: Real> Neg for Sym<T> {
     type Output = Self;
+    #[inline(always)]
     fn neg(self) -> Self {
         self.of_one(Node::Neg)
     }
 }
 impl<T: Real> AddAssign for Sym<T> {
+    #[inline(always)]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
 }
 impl<T: Real> SubAssign for Sym<T> {
+    #[inline(always)]
     fn sub_assign(&mut self, other: Self) {
         *self = *self - other;
     }
 }
 impl<T: Real> MulAssign for Sym<T> {
+    #[inline(always)]
     fn mul_assign(&mut self, other: Self) {
         *self = *self * other;
     }
 }
 
 impl<T: Real> SymMask<T> {
+    #[inline(always)]
     fn new(symbol: Symbol) -> Self {
         SymMask {
             symbol,
             number: PhantomData,
         }
     }
-    #[inline(never)]
-    fn of_two(self, other: Self, node: impl FnOnce(u32, u32) -> Node) -> Self {
-        let operands = [self.symbol, other.symbol];
-        Self::new(Symbol::made(T::FORMAT, operands, |[a, b]| node(a, b)))
+    #[inline(always)]
+    fn of_two(self, other: Self, node: impl FnOnce(Id, Id) -> Node) -> Self {
+        Self::new(self.symbol.of_two(other.symbol, node))
     }
 }
 impl<T: Real> BitAnd for SymMask<T> {
     type Output = Self;
+    #[inline(always)]
     fn bitand(self, other: Self) -> Self {
         self.of_two(other, Node::And)
     }
 }
 impl<T: Real> BitOr for SymMask<T> {
     type Output = Self;
+    #[inline(always)]
     fn bitor(self, other: Self) -> Self {
         self.of_two(other, Node::Or)
     }
 }
 impl<T: Real> Not for SymMask<T> {
     type Output = Self;
-    #[inline(never)]
+    #[inline(always)]
     fn not(self) -> Self {
-        Self::new(Symbol::made(T::FORMAT, [self.symbol], |[x]| Node::Not(x)))
+        Self::new(self.symbol.of_one(Node::Not))
     }
 }
 impl<T: Real> Mask for SymMask<T> {
     /// Returns `true` if it is not known to be false.
+    #[inline(always)]
     fn any(self) -> bool {
         self.symbol.hint(true)
     }
     /// Returns `true` if it is known to be true.
+    #[inline(always)]
     fn all(self) -> bool {
         self.symbol.hint(false)
     }
@@ -167,105 +176,130 @@ impl<T: Real> Mask for SymMask<T> {
 impl<T: Real> Scalar for Sym<T> {
     type Mask = SymMask<T>;
     type Primal = Self;
-    const COMPENSATED: bool = T::COMPENSATED;
-    const EPSILON: f64 = T::EPSILON;
-    const PARALLEL: f64 = T::PARALLEL;
-    const LARGEST: f64 = T::LARGEST;
-
-    fn lit(x: f64) -> Self {
-        Self::leaf(Node::Const(T::FORMAT.round(x).to_bits()))
+    #[inline(always)]
+    fn format() -> crate::scalar::Format {
+        Symbol::format()
     }
+
+    #[inline(always)]
+    fn lit(x: f64) -> Self {
+        Self::new(Symbol::constant(x))
+    }
+    #[inline(always)]
+    fn rounding(factor: f64, power: i32) -> Self {
+        Self::new(Symbol::rounding(factor, power))
+    }
+    #[inline(always)]
+    fn largest() -> Self {
+        Self::new(Symbol::largest())
+    }
+    #[inline(always)]
+    fn largest_to(power: f64) -> Self {
+        Self::new(Symbol::largest_to(power))
+    }
+    #[inline(always)]
+    fn lowest() -> Self {
+        Self::new(Symbol::lowest())
+    }
+    #[inline(always)]
     fn from_primal(x: Self) -> Self {
         x
     }
+    #[inline(always)]
     fn primal(self) -> Self {
-        self.of_one(|value| Node::Graft {
-            value,
-            derivative: None,
-            share: None,
-        })
+        Self::new(self.symbol.primal())
     }
+    #[inline(always)]
     fn below(self, other: Self) -> SymMask<T> {
         self.compared(other, Node::Lt)
     }
+    #[inline(always)]
     fn at_most(self, other: Self) -> SymMask<T> {
         self.compared(other, Node::Le)
     }
+    #[inline(always)]
     fn equals(self, other: Self) -> SymMask<T> {
         self.compared(other, Node::Eq)
     }
-    #[inline(never)]
+    #[inline(always)]
     fn select(mask: SymMask<T>, yes: Self, no: Self) -> Self {
-        let operands = [mask.symbol, yes.symbol, no.symbol];
-        Self::new(Symbol::made(T::FORMAT, operands, |[mask, yes, no]| {
-            Node::Select(mask, yes, no)
-        }))
+        Self::new(mask.symbol.of_three(yes.symbol, no.symbol, Node::Select))
     }
+    #[inline(always)]
     fn over(self, divisor: Self) -> Self {
         self / divisor
     }
+    #[inline(always)]
     fn root(self) -> Self {
         self.of_one(Node::Root)
     }
+    #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         (self.of_one(Node::Sin), self.of_one(Node::Cos))
     }
+    #[inline(always)]
     fn sin_cos_parts(self) -> [(Self, Self); 2] {
         [
             (self.of_one(Node::SinHigh), self.of_one(Node::SinLow)),
             (self.of_one(Node::CosHigh), self.of_one(Node::CosLow)),
         ]
     }
+    #[inline(always)]
     fn parts(self) -> (Self, Self) {
         let high = self.of_one(Node::High);
         (high, self - high)
     }
+    #[inline(always)]
     fn atan2(self, x: Self) -> Self {
         self.of_two(x, Node::Atan2)
     }
+    #[inline(always)]
     fn exp(self) -> Self {
         self.of_one(Node::Exp)
     }
+    #[inline(always)]
     fn ln(self) -> Self {
         self.of_one(Node::Ln)
     }
+    #[inline(always)]
     fn binade(self) -> Self {
         self.of_one(Node::Binade)
     }
+    #[inline(always)]
     fn may_be_nan(self) -> bool {
         !self.symbol.is_number()
     }
     // A product with one, of which derivatives are products with one, too.
+    #[inline(always)]
     fn known(self, known: SymMask<T>, nan: Self) -> Self {
         self * Self::select(known, Self::one(), nan)
     }
     // Recorded as nodes of their own, not as choices.
+    #[inline(always)]
     fn least(self, other: Self) -> Self {
         self.of_two(other, Node::Min)
     }
+    #[inline(always)]
     fn most(self, other: Self) -> Self {
         self.of_two(other, Node::Max)
     }
+    #[inline(always)]
     fn magnitude(self) -> Self {
         self.of_one(Node::Magnitude)
     }
+    #[inline(always)]
     fn unsigned(self) -> Self {
         self.of_one(Node::Unsigned)
     }
+    #[inline(always)]
     fn damp(self, share: Self) -> Self {
-        self.of_two(share, |x, share| Node::Graft {
-            value: x,
-            derivative: Some(x),
-            share: Some(share),
-        })
+        Self::new(self.symbol.with_share(self.symbol, share.symbol))
     }
+    #[inline(always)]
     fn with_primal(self, value: Self) -> Self {
-        self.of_two(value, |derivative, value| Node::Graft {
-            value,
-            derivative: Some(derivative),
-            share: None,
-        })
+        Self::new(self.symbol.with_primal(value.symbol))
     }
+    #[inline(always)]
     fn canonical(self) -> Self {
         self.of_one(Node::Canonical)
     }

@@ -207,7 +207,7 @@ pub fn distances<S: Scalar>(joints: Joints<S>, radius: S) -> [S; COUNT] {
             (Round(a), Flat(b)) | (Flat(b), Round(a)) => a.signed_distance(b),
             (Cubic(a), Flat(b)) | (Flat(b), Cubic(a)) => a.signed_distance(b),
             // Two half-spaces overlap without end.
-            (Flat(_), Flat(_)) => S::lit(-S::LARGEST),
+            (Flat(_), Flat(_)) => S::lit(-S::format().largest()),
         }
     })
 }

@@ -1,6 +1,6 @@
 //! Untyped folds: functions of numbers and programs, so that other code is compiled once for all folds.
-use crate::ad::program::Sym;
-use crate::ad::program::record::record;
+use crate::ad::program::Neutral;
+use crate::ad::program::record::record_in;
 use crate::ad::program::recorded::Recorded;
 use crate::error::Field;
 use crate::kernels::row::fold::Fold;
@@ -179,19 +179,18 @@ pub(crate) struct FoldPrograms {
 }
 
 pub(crate) fn programs<F: Fold, T: Real>() -> Result<Arc<FoldPrograms>, Error> {
-    type Context<F, T> = <F as Fold>::Context<Sym<T>>;
-    type Reference<F, T> = <F as Fold>::Reference<Sym<T>>;
-    type State<F, T> = <F as Fold>::State<Sym<T>>;
-    type Element<F, T> = <F as Fold>::Element<Sym<T>>;
-    type Edge<F, T> = (Context<F, T>, Reference<F, T>, Element<F, T>, Element<F, T>);
+    type Context<F> = <F as Fold>::Context<Neutral>;
+    type Reference<F> = <F as Fold>::Reference<Neutral>;
+    type State<F> = <F as Fold>::State<Neutral>;
+    type Element<F> = <F as Fold>::Element<Neutral>;
+    type Edge<F> = (Context<F>, Reference<F>, Element<F>, Element<F>);
+    type End<F> = (Context<F>, Reference<F>, State<F>);
     known::<(F, T), _>(|| {
-        let edge = record::<T, Edge<F, T>, State<F, T>>(|(context, reference, from, to)| {
-            F::edge(context, reference, from, to)
-        })?;
-        let join = record::<T, (State<F, T>, State<F, T>), State<F, T>>(|(a, b)| F::join(a, b))?;
-        let finish = record::<T, (Context<F, T>, Reference<F, T>, State<F, T>), F::Out<Sym<T>>>(
-            |(context, reference, state)| F::finish(context, reference, state),
-        )?;
+        let edge = |(context, reference, from, to): Edge<F>| F::edge(context, reference, from, to);
+        let edge = record_in(T::FORMAT, edge)?;
+        let join = record_in(T::FORMAT, |(a, b): (State<F>, State<F>)| F::join(a, b))?;
+        let finish = |(context, reference, state): End<F>| F::finish(context, reference, state);
+        let finish = record_in(T::FORMAT, finish)?;
         Ok(FoldPrograms {
             edge_vjp: edge.value_vjp(),
             join_vjp: join.vjp(),

@@ -123,7 +123,7 @@ where
                 outputs: widths::<O::Out<R::Scalar>>,
                 arguments: O::DECLARED.arguments,
                 lower: O::DECLARED.lower,
-                line: const { &line_of::<O, R::Scalar>() },
+                line: const { &line_of::<O>() },
             }
         },
     )

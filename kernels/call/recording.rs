@@ -65,7 +65,7 @@ impl<T> UntypedSearch<T> {
 /// The body of a function.
 pub(crate) enum Body<T: 'static> {
     /// A straight line, recorded when it is first needed.
-    Line(&'static Line<T>),
+    Line(&'static Line),
     /// A recorded graph.
     Graph(Arc<Recorded>),
     /// A search: decisions, then a straight line for every record.
@@ -95,7 +95,7 @@ pub(crate) struct LineParts<T: Real> {
     pub(crate) outputs: fn() -> Vec<usize>,
     pub(crate) arguments: &'static [&'static str],
     pub(crate) lower: LowerBound,
-    pub(crate) line: &'static Line<T>,
+    pub(crate) line: &'static Line,
 }
 
 impl<T: Real> fmt::Debug for Recording<T> {
@@ -161,7 +161,7 @@ impl<T: Real> Recording<T> {
     /// Returns the program of a mode: the result, or the result and derivatives, from the input and then the cotangent.
     pub(crate) fn program(&self, mode: Mode) -> Result<Arc<Recorded>, Error> {
         match &self.body {
-            Body::Line(line) => line.program(mode),
+            Body::Line(line) => line.program::<T>(mode),
             Body::Graph(recorded) if mode == Mode::Value => Ok(Arc::clone(recorded)),
             Body::Graph(recorded) => {
                 self.made(Key::Program(mode), &|| Ok(by_reverse(recorded, mode)))

@@ -1,6 +1,6 @@
 //! The replays of a search as programs: one for every record that occurs, in either format.
 use crate::Error;
-use crate::ad::program::Sym;
+use crate::ad::program::Neutral;
 use crate::ad::program::record::record_with_codes;
 use crate::ad::program::recorded::Recorded;
 use crate::kernels::row::decision::Search;
@@ -119,10 +119,10 @@ where
 {
     /// Records a replay and differentiates it.
     fn program(&self, codes: &[u32], record: D::Record) -> Result<Recorded, Error> {
-        type In<D, T> = <D as Search>::In<Sym<T>>;
-        type Out<D, T> = <D as Search>::Out<Sym<T>>;
-        let replay = |x: In<D, T>| D::replay::<Sym<T>>(x, record);
-        let mut recorded = record_with_codes::<T, In<D, T>, Out<D, T>>(codes, replay)?;
+        type In<D> = <D as Search>::In<Neutral>;
+        type Out<D> = <D as Search>::Out<Neutral>;
+        let replay = |x: In<D>| D::replay::<Neutral>(x, record);
+        let mut recorded = record_with_codes::<In<D>, Out<D>>(T::FORMAT, codes, replay)?;
         for step in &self.steps {
             recorded = match *step {
                 // Without the value, which [`by_reverse`] puts first: a replay computes the derivative alone.

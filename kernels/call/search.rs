@@ -3,8 +3,8 @@
 //! A search yields a *record* of decisions: indices and small enums, never numbers. The result is computed from the
 //! input and the record by a straight line, which duals and batches replay. Between decisions the result is smooth.
 //! Derivatives belong to the branch taken, also where a decision changes.
-use crate::ad::program::record::record;
-use crate::ad::program::{Program, Sym};
+use crate::ad::program::record::record_in;
+use crate::ad::program::{Neutral, Program};
 use crate::error::Error;
 use crate::kernels::call::modes::Function;
 use crate::kernels::call::recording::{self, Body, Call, Each, Recording};
@@ -204,7 +204,8 @@ pub fn replay<D: Search, T: Real>(
     input: D::In<T>,
 ) -> Result<Program<D::In<T>, D::Out<T>>, Error> {
     let decided = D::decide::<T>(input);
-    record(|input: D::In<Sym<T>>| D::replay::<Sym<T>>(input, decided)).map(Program::of)
+    let replay = |input: D::In<Neutral>| D::replay::<Neutral>(input, decided);
+    record_in(T::FORMAT, replay).map(Program::of)
 }
 
 impl<D: Search> Searched<D> {

@@ -131,7 +131,7 @@ impl<S: Real> Subject for RecordedSubject<'_, S> {
     }
     fn noisy(&self, x: &[f64], y_bar: &[f64], seed: u64) -> Option<Vec<f64>> {
         // Low parts in single precision hold rounding errors; other values would distort them.
-        if S::COMPENSATED {
+        if S::format().is_compensated() {
             return None;
         }
         let derivatives = noisy(seed, || {
@@ -218,7 +218,7 @@ impl<S: Real> Subject for RecordedSubject<'_, S> {
         direction: &[f64],
         seed: u64,
     ) -> Option<Vec<f64>> {
-        if S::COMPENSATED {
+        if S::format().is_compensated() {
             return None;
         }
         let bends = noisy(seed, || self.recording.bends(x, y_bar, direction, Noisy));

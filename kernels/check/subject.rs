@@ -199,7 +199,7 @@ impl<S: Real> Subject for OpSubject<'_, S> {
     }
     fn noisy(&self, x: &[f64], y_bar: &[f64], seed: u64) -> Option<Vec<f64>> {
         // Low parts in single precision hold rounding errors; other values would distort them.
-        if S::COMPENSATED {
+        if S::format().is_compensated() {
             return None;
         }
         let derivatives = noisy(seed, || {
@@ -249,7 +249,7 @@ impl<S: Real> Subject for OpSubject<'_, S> {
         direction: &[f64],
         seed: u64,
     ) -> Option<Vec<f64>> {
-        if S::COMPENSATED {
+        if S::format().is_compensated() {
             return None;
         }
         let bends = noisy(seed, || {

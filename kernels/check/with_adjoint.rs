@@ -52,7 +52,7 @@ impl<O: Op> WithAdjoint for Straight<O> {
             return input_bar.scalars();
         }
         // The scalar's epsilon tells the format.
-        let recorded = match S::EPSILON > 1e-10 {
+        let recorded = match S::format().epsilon() > 1e-10 {
             true => program_of::<O, f32>(Mode::Vjp),
             false => program_of::<O, f64>(Mode::Vjp),
         };
@@ -186,7 +186,7 @@ pub(super) fn context_and_path<F: Fold, S: Scalar>(
 
 /// Returns the programs of a fold, in the format of a scalar.
 fn programs_of<F: Fold, S: Scalar>() -> Option<Arc<FoldPrograms>> {
-    match S::EPSILON > 1e-10 {
+    match S::format().epsilon() > 1e-10 {
         true => programs::<F, f32>().ok(),
         false => programs::<F, f64>().ok(),
     }

@@ -6,7 +6,6 @@
 //! Compiled in this library only, by the entries in `arch`.
 use crate::kernels::cpu::arch::{Vector, flat};
 use crate::kernels::cpu::lane::{Lane, TILE, tiles};
-use crate::scalar::power_of_largest;
 use crate::{Real, Scalar, Vec2};
 
 /// The limits within which squared distances and signs are reliable.
@@ -24,7 +23,7 @@ pub struct ReliableLimits<T> {
 
 impl<T: Real> ReliableLimits<T> {
     pub(crate) fn new() -> Self {
-        let power = |exponent: f64| T::lit(power_of_largest::<T>(exponent));
+        let power = |exponent: f64| T::largest_to(exponent);
         ReliableLimits {
             far: power(0.39),
             near: power(-0.26),
@@ -62,7 +61,7 @@ impl<S: Scalar> Passes<S> {
     pub(crate) fn none() -> Self {
         Passes {
             winding: S::zero(),
-            doubt: S::lit(S::LARGEST),
+            doubt: S::lit(S::format().largest()),
         }
     }
     /// Counts the edge from a to b, seen from the point.
@@ -79,9 +78,11 @@ impl<S: Scalar> Passes<S> {
             S::select(down & side.below(zero), -one, zero),
         );
         self.winding += turns;
-        self.doubt = self
-            .doubt
-            .least(S::select(up | down, side.unsigned(), S::lit(S::LARGEST)));
+        self.doubt = self.doubt.least(S::select(
+            up | down,
+            side.unsigned(),
+            S::lit(S::format().largest()),
+        ));
     }
     /// Joins what the lanes of a vector have seen.
     #[inline(always)]
@@ -110,7 +111,7 @@ impl<T: Real> Passes<T> {
         let is_ordinary = extent.below(limits.far)
             & limits.near.below(extent)
             & limits.doubt.below(self.doubt)
-            & (T::lit(4.0 / T::LARGEST) * extent * extent).below(self.doubt);
+            & (T::lit(4.0 / T::format().largest()) * extent * extent).below(self.doubt);
         is_ordinary.then_some(self.winding)
     }
 }
@@ -119,7 +120,7 @@ impl<S: Scalar> NearestState<S> {
     #[inline(always)]
     fn nothing() -> Self {
         NearestState {
-            least: S::lit(S::LARGEST),
+            least: S::lit(S::format().largest()),
             extent: S::zero(),
             passes: Passes::none(),
         }
@@ -221,8 +222,8 @@ pub(crate) fn near_edges<T: Real, V: Vector<T>>(
     }
     let extent = seen.extent;
     let winding = all.passes.folded::<T>().reliable(extent, limits)?;
-    let reach = seen.least.root() + T::lit(2.0 * SLACK * T::EPSILON) * extent;
-    let limit = V::splat(reach * reach * T::lit(1.0 + 16.0 * T::EPSILON));
+    let reach = seen.least.root() + T::lit(2.0 * SLACK * T::format().epsilon()) * extent;
+    let limit = V::splat(reach * reach * T::lit(1.0 + 16.0 * T::format().epsilon()));
     let mut count = 0;
     for (t, lane) in squares.iter().enumerate().take(tiles(path.count)) {
         let mut at = 0;

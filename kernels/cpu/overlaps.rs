@@ -25,8 +25,12 @@ pub(crate) const BOUNDS: usize = 4;
 const FRAME: usize = 10;
 
 /// Returns the number of scalars of a rotated box with sine and cosine, and with low parts where the format needs them.
-pub(crate) const fn frame_fields<T: Scalar>() -> usize {
-    if T::COMPENSATED { FRAME } else { 6 }
+pub(crate) fn frame_fields<T: Scalar>() -> usize {
+    if T::format().is_compensated() {
+        FRAME
+    } else {
+        6
+    }
 }
 
 /// The conversion from shapes to rotated boxes.
@@ -45,7 +49,7 @@ pub(crate) const SEEN: [usize; OBB2] = [0, 1, 3, 4, 6];
 
 impl View {
     /// Returns the number of scalars of a prepared shape.
-    pub(crate) const fn fields<T: Scalar>(self) -> usize {
+    pub(crate) fn fields<T: Scalar>(self) -> usize {
         match self {
             View::Flat | View::FromAbove => frame_fields::<T>(),
             View::Upright => frame_fields::<T>() + 2,
@@ -132,7 +136,7 @@ pub(crate) fn framed<T: Real, V: Vector<T>>(
     at: usize,
 ) -> Option<Framed<V>> {
     let zero = V::zero();
-    if T::COMPENSATED {
+    if T::format().is_compensated() {
         let tile = tiles.tile::<FRAME>(t)?;
         return Some(Framed::load(&[
             V::read(&tile[0], at),
@@ -323,7 +327,7 @@ pub(crate) fn all_ordinary_obb2<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
         numbers,
         [true, true, false, false, true],
         [fine, fine, SMALL, SMALL, fine],
-        [FAR, FAR, LARGE, LARGE, T::LARGEST],
+        [FAR, FAR, LARGE, LARGE, T::format().largest()],
     )
 }
 
@@ -337,7 +341,7 @@ pub(crate) fn all_common_obb2<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
         numbers,
         [true, true, false, false, true],
         [fine, fine, small, small, fine],
-        [far, far, large, large, T::LARGEST],
+        [far, far, large, large, T::format().largest()],
     )
 }
 
@@ -352,7 +356,9 @@ pub(crate) fn is_common_upright<T: Real>(x: &[T]) -> bool {
     let fine = fine::<T>();
     let place = |x: &T| is_within(*x, fine, COMMON_FAR);
     let size = |x: &T| is_within(*x, COMMON_SMALL, COMMON_LARGE);
-    x[..3].iter().all(place) && x[3..6].iter().all(size) && is_within(x[6], fine, T::LARGEST)
+    x[..3].iter().all(place)
+        && x[3..6].iter().all(size)
+        && is_within(x[6], fine, T::format().largest())
 }
 
 /// Returns `true` if a valid rotated box is of common size, and not of zero size.
@@ -360,7 +366,9 @@ pub(crate) fn is_solid_obb2<T: Real>(x: &[T]) -> bool {
     let fine = fine::<T>();
     let place = |x: &T| is_within(*x, fine, COMMON_FAR);
     let size = |x: &T| *x > T::default() && is_within(*x, COMMON_SMALL, COMMON_LARGE);
-    x[..2].iter().all(place) && x[2..4].iter().all(size) && is_within(x[4], fine, T::LARGEST)
+    x[..2].iter().all(place)
+        && x[2..4].iter().all(size)
+        && is_within(x[4], fine, T::format().largest())
 }
 
 /// Returns `true` if every upright box is valid, of a size from 10⁻⁵ to 10⁶ or zero, and no farther than 10⁹ from the
@@ -373,7 +381,7 @@ pub(crate) fn all_common_upright<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
         numbers,
         [true, true, true, false, false, false, true],
         [fine, fine, fine, small, small, small, fine],
-        [far, far, far, large, large, large, T::LARGEST],
+        [far, far, far, large, large, large, T::format().largest()],
     )
 }
 
@@ -389,7 +397,10 @@ pub(crate) fn all_common_upright<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
 /// of centres and extents by less than `12 ε (g + R)`, which is less than `g / √2`.
 #[inline(always)]
 pub(crate) fn obb2_bounds<T: Real, V: Vector<T>>(frames: Tiles<'_, T>, bounds: &mut [Lane<T>]) {
-    let (of_place, of_size) = (V::lit(4.0 * T::EPSILON), V::lit(128.0 * T::EPSILON));
+    let (of_place, of_size) = (
+        V::lit(4.0 * T::format().epsilon()),
+        V::lit(128.0 * T::format().epsilon()),
+    );
     for (t, out) in bounds.as_chunks_mut::<BOUNDS>().0.iter_mut().enumerate() {
         for at in V::starts() {
             let Some(x) = framed::<T, V>(frames, t, at) else {

@@ -59,7 +59,7 @@ macro_rules! containers {
             fn ends(self) -> [[f64; 3]; 2] {
                 let $own = self;
                 let bounds = $bounds;
-                with_room($place(bounds.min), $place(bounds.max), T::EPSILON)
+                with_room($place(bounds.min), $place(bounds.max), T::format().epsilon())
             }
         }
     )* };

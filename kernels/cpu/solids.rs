@@ -29,11 +29,11 @@ pub(crate) fn obb3_bounds<T: Real>(shapes: Tiles<'_, T>, bounds: &mut [Lane<T>])
         for i in 0..TILE {
             let [x, y, _, dx, dy, dz] = [0, 1, 2, 3, 4, 5].map(|k| shape[k].0[i].widen());
             let ball = (Scalar::hypot(Scalar::hypot(dx, dy), dz) / 2.0) * (1.0 + SLACK);
-            let reach = |x: f64| ball + 4.0 * T::EPSILON * x.abs();
+            let reach = |x: f64| ball + 4.0 * T::format().epsilon() * x.abs();
             let [low_x, low_y, high_x, high_y] =
                 [x - reach(x), y - reach(y), x + reach(x), y + reach(y)];
             // Bounds must be finite like shapes: infinite ones would meet the padding after the last shape.
-            let bound = |x: f64| T::lit(x.clamp(-T::LARGEST, T::LARGEST));
+            let bound = |x: f64| T::lit(x.clamp(-T::format().largest(), T::format().largest()));
             out[0].0[i] = bound(low_x);
             out[1].0[i] = bound(low_y);
             out[2].0[i] = bound(high_x);

@@ -285,7 +285,7 @@ impl Operation {
             Layout::numbers(code.vertex * vertices).leaf,
         ));
         let inputs = takes.iter().map(|take| take.1.fields).sum();
-        let recorded = listed(inputs, TRIALS, &code.symbols)?;
+        let recorded = listed(T::FORMAT, inputs, TRIALS, &code.symbols)?;
         let gives = (own.gives)().iter().map(|leaf| leaf.fields).collect();
         Ok(Program::new(recorded, takes, gives))
     }

@@ -1,7 +1,7 @@
 //! Untyped folds over paths of plain numbers.
 use super::forms::gpu_of;
 use super::rows::{Layout, Rows, named, renamed};
-use crate::ad::program::Sym;
+use crate::ad::program::Neutral;
 use crate::error::{Argument, Error};
 use crate::kernels::backend::Backend;
 use crate::kernels::gpu::Gpu;
@@ -29,7 +29,7 @@ pub(super) struct UntypedFold<T: 'static> {
     /// The number of scalars of a vertex.
     pub(super) vertex: usize,
     /// The result of one path from the numbers of its context and then of its vertices.
-    pub(super) symbols: fn(&[Sym<T>]) -> Vec<Sym<T>>,
+    pub(super) symbols: fn(&[Neutral]) -> Vec<Neutral>,
 }
 
 /// A fold over one path for many contexts: its values, and its derivatives for a cotangent per context.
@@ -141,10 +141,10 @@ macro_rules! fold_in {
             },
             vertex: F::Element::<$format>::LEN,
             symbols: |x| {
-                let (context, vertices) = x.split_at(F::Context::<Sym<$format>>::LEN);
-                let context = F::Context::<Sym<$format>>::load(context);
-                let path = loaded::<F::Element<Sym<$format>>>(vertices);
-                let result = fold::<F, Sym<$format>>(context, &path);
+                let (context, vertices) = x.split_at(F::Context::<Neutral>::LEN);
+                let context = F::Context::<Neutral>::load(context);
+                let path = loaded::<F::Element<Neutral>>(vertices);
+                let result = fold::<F, Neutral>(context, &path);
                 crate::Pack::scalars(&result)
             },
         }

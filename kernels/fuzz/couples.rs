@@ -122,7 +122,8 @@ impl<T: Real> Job<T> {
             } else {
                 1.0
             };
-            apart > 0.0 && apart > size * self.exchange_may_change(inputs, k / n) * T::EPSILON
+            apart > 0.0
+                && apart > size * self.exchange_may_change(inputs, k / n) * T::format().epsilon()
         });
         unless(Property::Symmetric, place.map(|k| k / n))
     }

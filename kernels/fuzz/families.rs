@@ -33,7 +33,7 @@ const SHARED: [f64; 16] = [
 
 /// Returns `true` if a format is double precision.
 pub(super) fn is_wide<T: Real>() -> bool {
-    T::LARGEST > f64::from(f32::MAX)
+    T::format().largest() > f64::from(f32::MAX)
 }
 
 /// Returns the exponents of the least and of the largest number.
@@ -56,7 +56,7 @@ pub(super) fn power(exponent: i32) -> f64 {
 
 /// Returns the nearest finite number of the format.
 fn nearest<T: Real>(x: f64) -> T {
-    T::lit(x.clamp(-T::LARGEST, T::LARGEST))
+    T::lit(x.clamp(-T::format().largest(), T::format().largest()))
 }
 
 impl Family {
@@ -111,7 +111,7 @@ impl Family {
                     Family::Nearly => (bits & 7) as f64 - 4.0,
                     _ => 0.0,
                 };
-                T::lit(x * (1.0 + roundings * T::EPSILON))
+                T::lit(x * (1.0 + roundings * T::format().epsilon()))
             }
             Family::Ordinary => T::lit((bits >> 11) as f64 / (1_u64 << 51) as f64 - 2.0),
             Family::Scaled(exponent) => {
@@ -124,13 +124,13 @@ impl Family {
                 nearest(power(exponent) * if bits & 1 == 0 { 1.0 } else { -1.0 })
             }
             Family::Limits => {
-                let most = T::LARGEST;
+                let most = T::format().largest();
                 let [least, largest] = exponents::<T>();
                 // The smallest normal number.
                 let normal = power(2 - largest - 1);
                 let x = match bits >> 60 {
                     0 | 1 => most,
-                    2 => most * (1.0 - T::EPSILON),
+                    2 => most * (1.0 - T::format().epsilon()),
                     3 => most * 0.5,
                     4 => most * 0.25,
                     5 => most.sqrt(),
@@ -140,10 +140,10 @@ impl Family {
                     9 => normal * 0.75,
                     10 => power(least),
                     11 => normal.sqrt(),
-                    12 => T::EPSILON,
+                    12 => T::format().epsilon(),
                     13 => 0.0,
                     14 => 1.0,
-                    _ => 1.0 + T::EPSILON,
+                    _ => 1.0 + T::format().epsilon(),
                 };
                 nearest(if bits & 1 == 0 { x } else { -x })
             }

@@ -358,9 +358,10 @@ impl<T: Real> Job<T> {
                 for (jet, &value) in recorded.run_on(&jets).iter().zip(&value) {
                     let finite = jet.value.finite() && jet.derivative.iter().all(|x| x.finite());
                     let (one, other) = (jet.value.widen(), value.widen());
-                    let apart = (one - other).abs() - DUAL_ROUNDINGS * T::EPSILON * other.abs();
+                    let apart =
+                        (one - other).abs() - DUAL_ROUNDINGS * T::format().epsilon() * other.abs();
                     let property = match finite {
-                        true if apart <= 1.0 / T::LARGEST * 8.0 => continue,
+                        true if apart <= 1.0 / T::format().largest() * 8.0 => continue,
                         true => Property::Duals,
                         false => Property::Finite,
                     };

@@ -27,7 +27,7 @@
 //! ```
 pub use crate::ad::declared::{Effect, Invariance, Jumps, Motion};
 use crate::ad::program::recorded::Recorded;
-use crate::ad::program::{Program, Sym};
+use crate::ad::program::{Neutral, Program};
 use crate::error::Error;
 use crate::kernels::row::compiled::Compiled;
 pub use crate::kernels::row::declares::{Declared, Declares};
@@ -158,40 +158,40 @@ pub trait Op: Declares {
 }
 
 /// Returns the straight line of an operation.
-pub(crate) const fn line_of<O: Op, T: Real>() -> Line<T> {
+pub(crate) const fn line_of<O: Op>() -> Line {
     Line {
         id: TypeId::of::<O>,
         derivatives: O::DECLARED.derivative,
-        inputs: O::In::<Sym<T>>::LEN,
-        outputs: O::Out::<Sym<T>>::LEN,
-        codes: O::In::<Sym<T>>::CODES + O::Out::<Sym<T>>::CODES,
+        inputs: O::In::<Neutral>::LEN,
+        outputs: O::Out::<Neutral>::LEN,
+        codes: O::In::<Neutral>::CODES + O::Out::<Neutral>::CODES,
         // Functions, since closures would be compiled twice for every operation.
-        eval: eval::<O, T>,
+        eval: eval::<O>,
         adjoint: match O::DECLARED.derivative {
-            Derivative::ByHand => adjoint::<O, T>,
-            Derivative::Reverse | Derivative::Forward => nothing::<T>,
+            Derivative::ByHand => adjoint::<O>,
+            Derivative::Reverse | Derivative::Forward => nothing,
         },
     }
 }
 
 /// Returns the result.
-fn eval<O: Op, T: Real>(input: &[Sym<T>]) -> Vec<Sym<T>> {
-    O::eval(O::In::<Sym<T>>::load(input)).scalars()
+fn eval<O: Op>(input: &[Neutral]) -> Vec<Neutral> {
+    O::eval(O::In::<Neutral>::load(input)).scalars()
 }
-fn nothing<T>(_input: &[Sym<T>], _out_bar: &[Sym<T>]) -> Vec<Sym<T>> {
+fn nothing(_input: &[Neutral], _out_bar: &[Neutral]) -> Vec<Neutral> {
     Vec::new()
 }
 
 /// Returns the result and the derivatives by hand. Without them they are NaN, which no check accepts.
-fn adjoint<O: Op, T: Real>(input: &[Sym<T>], out_bar: &[Sym<T>]) -> Vec<Sym<T>> {
-    let out_bar = O::Out::<Sym<T>>::load(out_bar);
-    match O::adjoint(O::In::<Sym<T>>::load(input), out_bar) {
+fn adjoint<O: Op>(input: &[Neutral], out_bar: &[Neutral]) -> Vec<Neutral> {
+    let out_bar = O::Out::<Neutral>::load(out_bar);
+    match O::adjoint(O::In::<Neutral>::load(input), out_bar) {
         Some((value, derivatives)) => [value.scalars(), derivatives.scalars()].concat(),
-        None => vec![Sym::lit(f64::NAN); O::Out::<Sym<T>>::LEN + O::In::<Sym<T>>::LEN],
+        None => vec![Neutral::lit(f64::NAN); O::Out::<Neutral>::LEN + O::In::<Neutral>::LEN],
     }
 }
 
 /// Returns the program of a mode of an operation.
 pub(crate) fn program_of<O: Op, T: Real>(mode: Mode) -> Result<Arc<Recorded>, Error> {
-    const { &line_of::<O, T>() }.program(mode)
+    const { &line_of::<O>() }.program::<T>(mode)
 }

@@ -1,5 +1,5 @@
 //! Straight lines: operations as programs, recorded when they are first needed.
-use crate::ad::program::Sym;
+use crate::ad::program::Neutral;
 use crate::ad::program::record::{TRIALS, listed};
 use crate::ad::program::recorded::Recorded;
 use crate::error::Error;
@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 /// An untyped straight line: functions of lists of symbols, so that the code that records and differentiates is
 /// compiled once.
-pub(crate) struct Line<T: 'static> {
+pub(crate) struct Line {
     /// The type of its operation.
     pub(crate) id: fn() -> TypeId,
     /// The source of its derivatives.
@@ -25,9 +25,9 @@ pub(crate) struct Line<T: 'static> {
     /// The numbers of codes of both.
     pub(crate) codes: usize,
     /// The function.
-    pub(crate) eval: fn(&[Sym<T>]) -> Vec<Sym<T>>,
+    pub(crate) eval: fn(&[Neutral]) -> Vec<Neutral>,
     /// The result and then the derivatives by hand, from the input and the cotangent.
-    pub(crate) adjoint: fn(&[Sym<T>], &[Sym<T>]) -> Vec<Sym<T>>,
+    pub(crate) adjoint: fn(&[Neutral], &[Neutral]) -> Vec<Neutral>,
 }
 
 /// Returns the program of a mode, by reverse accumulation; the program of `Vjp` returns the value first.
@@ -43,31 +43,33 @@ pub(crate) fn by_reverse(value: &Recorded, mode: Mode) -> Recorded {
 /// The programs of a straight line in a format.
 struct LinePrograms<T>(RecordingCache, PhantomData<fn() -> T>);
 
-impl<T: Real> Line<T> {
+impl Line {
     /// Returns the program of a mode, by the declared source of derivatives.
-    pub(crate) fn program(&self, mode: Mode) -> Result<Arc<Recorded>, Error> {
+    pub(crate) fn program<T: Real>(&self, mode: Mode) -> Result<Arc<Recorded>, Error> {
         if self.codes > 0 {
             return Err(Error::Program(Unrecordable::Codes));
         }
         let new = || Ok(LinePrograms::<T>(RecordingCache::default(), PhantomData));
         let kept = known_by((self.id)(), &new)?;
-        kept.0.made(Key::Program(mode), &|| self.recorded(mode))
+        kept.0
+            .made(Key::Program(mode), &|| self.recorded::<T>(mode))
     }
-    fn recorded(&self, mode: Mode) -> Result<Recorded, Error> {
-        let value = || self.program(Mode::Value);
+    fn recorded<T: Real>(&self, mode: Mode) -> Result<Recorded, Error> {
+        let value = || self.program::<T>(Mode::Value);
         Ok(match (self.derivatives, mode) {
-            (_, Mode::Value) => listed(self.inputs, TRIALS, &self.eval)?,
-            (Derivative::ByHand, Mode::Jacobian) => {
-                self.program(Mode::Vjp)?.value_jacobian_of_vjp(self.outputs)
-            }
+            (_, Mode::Value) => listed(T::FORMAT, self.inputs, TRIALS, &self.eval)?,
+            (Derivative::ByHand, Mode::Jacobian) => self
+                .program::<T>(Mode::Vjp)?
+                .value_jacobian_of_vjp(self.outputs),
             (Derivative::ByHand, Mode::Vjp) => {
-                listed(self.inputs + self.outputs, TRIALS, &|numbers| {
+                let inputs = self.inputs + self.outputs;
+                listed(T::FORMAT, inputs, TRIALS, &|numbers| {
                     let (input, out_bar) = numbers.split_at(self.inputs);
                     (self.adjoint)(input, out_bar)
                 })?
             }
-            (Derivative::ByHand, _) => listed(self.inputs, TRIALS, &|input| {
-                (self.adjoint)(input, &vec![Sym::lit(1.0); self.outputs])
+            (Derivative::ByHand, _) => listed(T::FORMAT, self.inputs, TRIALS, &|input| {
+                (self.adjoint)(input, &vec![Neutral::one(); self.outputs])
             })?,
             (Derivative::Reverse, _) => by_reverse(&*value()?, mode),
             (Derivative::Forward, Mode::Jacobian) => value()?.value_jacobian_forwards(),

@@ -198,7 +198,7 @@ impl Grid {
 /// Returns the squares of an exact grid whose centres are numbers of the format: steps of the largest coordinate.
 pub(super) fn squares<S: Scalar>() -> Squares {
     // The exponent of a power of two.
-    let bits = (EXTENT * 2.0 * S::EPSILON).to_bits() >> 52;
+    let bits = (EXTENT * 2.0 * S::format().epsilon()).to_bits() >> 52;
     Squares {
         bits: bits as u32 - 1023,
     }

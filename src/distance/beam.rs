@@ -58,13 +58,13 @@ impl<S: Scalar> Inside<S> {
             t: S::lit(t),
             normal: Vec2::zero(),
         };
-        Inside::new(end(-S::LARGEST), end(S::LARGEST))
+        Inside::new(end(-S::format().largest()), end(S::format().largest()))
     }
     /// Returns an empty range where the mask is true or where the line would leave before it enters.
     #[inline(always)]
     fn unless(mut self, empty: S::Mask) -> Self {
         let empty = empty | self.exit.value.below(self.enter.value);
-        let large = S::lit(S::LARGEST);
+        let large = S::largest();
         self.enter.value = S::select(empty, large, self.enter.value);
         self.exit.value = S::select(empty, -large, self.exit.value);
         self
@@ -78,10 +78,10 @@ impl<S: Scalar> Inside<S> {
     pub fn behind(self, beam: Beam<S>, point: Vec2<S>, normal: Vec2<S>) -> Self {
         let ahead = normal.dot(beam.from - point);
         let rate = normal.dot(beam.along);
-        let parallel = rate.magnitude().at_most(S::lit(S::EPSILON.powi(2)));
+        let parallel = rate.magnitude().at_most(S::rounding(1.0, 2));
         let safe = S::select(parallel, S::one(), rate);
         let t = (-ahead).over(safe);
-        let large = S::lit(S::LARGEST);
+        let large = S::largest();
         let enters = !parallel & rate.below(S::zero());
         let leaves = !parallel & S::zero().below(rate);
         let border = Border { t, normal };
@@ -143,7 +143,7 @@ impl<S: Scalar> Inside<S> {
             .behind(beam, from + normal * radius, normal)
             .behind(beam, from - normal * radius, -normal);
         // A disc falls behind the side by the square of this over twice the radius: less than a rounding.
-        let few = S::Primal::lit(64.0 * S::EPSILON);
+        let few = S::Primal::rounding(64.0, 1);
         let drawn = radius.primal() * S::Primal::lit(1.0 / 32.0);
         let drawn = ahead.constant() * S::from_primal(drawn.least(few));
         if starts {
@@ -171,7 +171,7 @@ impl<S: Scalar> Inside<S> {
             reach += way.length_squared();
             twice += way.perp_dot(corners[(i + 1) % n] - corners[0]);
         }
-        inside.unless(twice.at_most(reach * S::lit(4.0 * S::EPSILON)))
+        inside.unless(twice.at_most(reach * S::rounding(4.0, 1)))
     }
     /// Returns the range inside a hull of corners, inflated by a radius, from the range inside the hull.
     #[inline(always)]

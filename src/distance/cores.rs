@@ -83,7 +83,7 @@ impl<S: Scalar, const AWAY: usize> EdgeCore<S, 1, AWAY> {
     /// Returns the ray, or the line, from a point in a direction.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn endless(from: Vec2<S>, direction: Vec2<S>) -> Self {
-        let large = S::lit(S::LARGEST);
+        let large = S::largest();
         EdgeCore {
             edge: Edge {
                 from,

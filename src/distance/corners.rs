@@ -108,7 +108,7 @@ pub(super) fn face_deep<S: Scalar, B: Core<S>>(
     let (low, high) = (face.low.halved(), face.high.halved());
     let middle = face.from + face.along * (low + high);
     let half = (high - low) * normal.perp_dot(face.along).unsigned();
-    let value = S::select(useless, S::lit(-S::LARGEST), first.value - height);
+    let value = S::select(useless, S::lowest(), first.value - height);
     Best {
         value,
         sum: Deepest {

@@ -1,5 +1,4 @@
 //! The primitive of all distances: an edge and a point.
-use crate::scalar::speck;
 use crate::shape::Segment2;
 use crate::{Scalar, Vec2};
 
@@ -49,7 +48,7 @@ pub struct Reach<S> {
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub fn reach<S: Scalar>(edge: Edge<S>, arm: Vec2<S>) -> Reach<S> {
     let square = edge.along.length_squared();
-    let point = square.at_most(S::lit(S::EPSILON.powi(4)));
+    let point = square.at_most(S::rounding(1.0, 4));
     let square = S::select(point, S::one(), square);
     let free = S::select(point, S::lit(0.5), edge.along.dot(arm).over(square));
     let t = free.clamp(edge.low, edge.high);
@@ -137,7 +136,7 @@ pub(super) fn edge_sides<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) 
     let (edge, arm, scale) = UnscaledSegment::segment(Segment2::new(from, to)).near_scaled(point);
     let distance = reach(edge, arm).apart.length().over(scale).canonical();
     let length = edge.along.length();
-    let on = distance.equals(S::zero()) & length.above(S::lit(S::EPSILON.powi(2)));
+    let on = distance.equals(S::zero()) & length.above(S::rounding(1.0, 2));
     let side = edge.along.perp_dot(arm);
     let side = side.over(S::select(on, length, S::one())).over(scale);
     (distance, S::select(on, side, S::zero()))
@@ -194,7 +193,7 @@ pub(crate) fn winding_of<S: Scalar>(up: S::Mask, down: S::Mask) -> S {
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn unit<S: Scalar>(v: Vec2<S>) -> Vec2<S> {
     let square = v.length_squared();
-    let none = square.at_most(S::lit(S::EPSILON.powi(4)));
+    let none = square.at_most(S::rounding(1.0, 4));
     let length = S::select(none, S::one(), square).root();
     let unit = Vec2::new(v.x.over(length), v.y.over(length));
     Vec2::select(none, Vec2::zero(), unit)
@@ -208,5 +207,5 @@ pub(crate) fn direction<S: Scalar>(way: Vec2<S>) -> Vec2<S> {
     let none = length.at_most(S::zero());
     let over = S::select(none, S::one(), length);
     let unit = Vec2::new(way.x.over(over), way.y.over(over));
-    Vec2::select(length.at_most(S::lit(speck::<S>())), unit.constant(), unit)
+    Vec2::select(length.at_most(S::speck()), unit.constant(), unit)
 }

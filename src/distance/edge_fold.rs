@@ -41,7 +41,7 @@ impl<S: Scalar> EdgeFold<S> {
     #[inline(always)]
     pub fn empty() -> Self {
         EdgeFold {
-            distance: S::lit(S::LARGEST),
+            distance: S::largest(),
             sum: S::zero(),
             count: S::zero(),
             left: S::zero(),
@@ -160,7 +160,7 @@ fn fills<S: Scalar>(winding: S, fill: Fill) -> S::Mask {
 #[inline(always)]
 fn is_even<S: Scalar>(whole: S) -> S::Mask {
     // Adding and taking away 1.5 / ε rounds to a whole number.
-    let shift = S::lit(1.5 / S::EPSILON);
+    let shift = S::lit(1.5 / S::format().epsilon());
     let half = whole.halved();
     ((half + shift) - shift).equals(half)
 }

@@ -1,7 +1,6 @@
 //! The nearest of many edges, found in plain numbers side by side, for slices.
 use super::edge::{edge_distance, winding_of};
 use super::edge_fold::EdgeFold;
-use crate::scalar::power_of_largest;
 use crate::{Scalar, Vec2};
 
 /// Edges worked on side by side, in arrays that the compiler turns into SIMD.
@@ -33,7 +32,7 @@ fn larger<P: Scalar>(a: P, b: P) -> P {
 /// Returns `true` if a square is at most another one within rounding.
 #[inline(always)]
 fn about_least<P: Scalar>(square: P, least: P) -> P::Mask {
-    square.at_most(least * P::lit(1.0 + 64.0 * P::EPSILON))
+    square.at_most(least * P::lit(1.0 + 64.0 * P::format().epsilon()))
 }
 
 /// The state of a search: the least squared distance, its edge, `true` if another edge ties within rounding, the
@@ -74,11 +73,11 @@ pub(super) fn nearest<S: Scalar<Mask = bool>>(
     let (&first, &last) = (path.first()?, path.last()?);
     let edges = path.len() - 1;
     // Block numbers are counted in the scalar itself, which is exact below 1/ε.
-    if edges as f64 * S::EPSILON > 1.0 {
+    if edges as f64 * S::format().epsilon() > 1.0 {
         return None;
     }
     let blocks = edges / SIDE;
-    let mut least = [S::Primal::lit(S::LARGEST); SIDE];
+    let mut least = [S::Primal::largest(); SIDE];
     let (mut block, mut again, mut winding) = ([zero; SIDE], [zero; SIDE], [zero; SIDE]);
     let mut extent = [zero; SIDE];
     for number in 0..blocks {
@@ -104,7 +103,7 @@ pub(super) fn nearest<S: Scalar<Mask = bool>>(
         }
     }
     let mut found = NearestSearch {
-        least: S::Primal::lit(S::LARGEST),
+        least: S::Primal::largest(),
         edge: 0,
         tie: false,
         winding: zero,
@@ -135,10 +134,8 @@ pub(super) fn nearest<S: Scalar<Mask = bool>>(
         found.winding += turns;
     }
     // The squares hold, and the least of them with all of its digits.
-    let ordinary = S::Primal::lit(power_of_largest::<S>(-0.4)).below(found.least)
-        & found
-            .extent
-            .below(S::Primal::lit(power_of_largest::<S>(0.4)));
+    let ordinary = S::Primal::largest_to(-0.4).below(found.least)
+        & found.extent.below(S::Primal::largest_to(0.4));
     if !ordinary {
         return None;
     }

@@ -4,7 +4,6 @@ use super::corners::Core;
 use super::edge::{direction, scale_of};
 use super::outcome::Contact;
 use super::share::{Best, Deepest, Nearest};
-use crate::scalar::speck;
 use crate::{Scalar, Vec2};
 
 /// The relation of two convex shapes. Lengths are in units of `1 / scale`, points are relative to `origin`.
@@ -69,7 +68,7 @@ impl<S: Scalar> Relation<S> {
     /// Returns minus the largest finite number for two lines that cross: no translation separates them.
     #[inline(always)]
     fn parted(&self, apart: S) -> S {
-        S::select(self.endless, S::lit(-S::LARGEST), apart)
+        S::select(self.endless, S::lowest(), apart)
     }
 }
 
@@ -128,7 +127,7 @@ pub(crate) fn joined<S: Scalar>(
     // Duals of a tiny length pass through numbers beyond the largest one.
     let along = near.apart.dot(direction.constant());
     let along = along.with_primal(length.primal());
-    let length = S::select(length.at_most(S::lit(speck::<S>())), along, length);
+    let length = S::select(length.at_most(S::speck()), along, length);
     let none = length.at_most(S::zero());
     let never = S::one().below(S::zero());
     let Some(deep) = deepest else {
@@ -145,15 +144,15 @@ pub(crate) fn joined<S: Scalar>(
             scale,
         };
     };
-    let parted = deep.value.above(S::lit(-S::LARGEST));
+    let parted = deep.value.above(S::lowest());
     let deep = deep.mean();
     // Shifted by their depth, cores that overlap touch, and then a corner of one is on an edge of the other: without
     // the shift it is no farther from there than the depth. Faces too short to count would have separated all others.
-    let reachable = (S::lit(SLACK * S::EPSILON) - deep.ahead) - deep.ahead;
+    let reachable = (S::rounding(SLACK, 1) - deep.ahead) - deep.ahead;
     let behind = deep.ahead.below(S::zero()) & length.at_most(reachable);
     // For a point on an edge, its offset and the face decide the side with different roundings. Few shapes are so
     // close, and batches leave out what only these need.
-    let slack = S::lit(SLACK * S::EPSILON);
+    let slack = S::rounding(SLACK, 1);
     let close = near.apart.length_squared().at_most(slack.squared());
     let against = near.apart.dot(deep.lead).below(S::zero());
     let opposite = close & !deep.ahead.below(S::zero()) & against;

@@ -96,7 +96,7 @@ pub fn closest_points_of_segments<S: Scalar>(
         w.perp_dot(da).signed_as(turn),
     );
     let turn = turn.unsigned();
-    let crossing = turn.above(S::lit(S::EPSILON.powi(4)))
+    let crossing = turn.above(S::rounding(1.0, 4))
         & zero.below(above_t)
         & above_t.below(turn)
         & zero.below(above_u)
@@ -108,7 +108,7 @@ pub fn closest_points_of_segments<S: Scalar>(
     // Rounding produces crossings of collinear segments: none counts if an end is nearer than the crossing's two
     // points.
     let off = da * free_t - (w + db * free_u);
-    let rounding = S::lit((8.0 * S::EPSILON).powi(2));
+    let rounding = S::rounding(8.0, 2);
     let crossing = crossing & off.length_squared().at_most(least.most(rounding));
     let t = S::select(crossing, free_t, t);
     let u = S::select(crossing, free_u, u);

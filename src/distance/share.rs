@@ -203,7 +203,7 @@ impl<S: Scalar> Carry<S> for Ahead<S> {
 impl<S: Scalar> Carry<S> for Deepest<S> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self {
-        let slack = S::lit(ROUNDED * S::EPSILON);
+        let slack = S::rounding(ROUNDED, 1);
         let near = (self.level - other.level).unsigned().at_most(slack);
         let (on_face, other_on) = (self.beyond.at_most(slack), other.beyond.at_most(slack));
         let first = keep | tie & self.beyond.at_most(other.beyond);

@@ -133,7 +133,7 @@ fn deepest<S: Scalar>(pair: &Relative<S>) -> Best<S, Deepest<S>> {
         let (mut a, mut b) = (own[k], other[back].flipped());
         (a.sum.ahead, b.sum.ahead) = (of_a, of_b);
         (a.sum.on_b, b.sum.on_b) = (a.sum.on_b - center, b.sum.on_b - center);
-        let (zero, less) = (S::zero(), S::lit(-S::LARGEST));
+        let (zero, less) = (S::zero(), S::lowest());
         let ahead = S::select(more.below(zero), of_b, of_a);
         a.value = S::select(more.below(zero), less, ahead);
         b.value = S::select(more.above(zero), less, ahead);
@@ -255,7 +255,7 @@ pub fn farthest_distance_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     let (xy, yx) = (sin * (p.x * h.y), -sin * (p.y * h.x));
     // Some signs of which the sum is about the largest: all s and t turned around change the sign of `centers` only.
     let plus = S::one();
-    let mut most = -S::lit(S::LARGEST);
+    let mut most = S::lowest();
     let mut signs = [plus; 4];
     for k in 0..8 {
         let [i, j, l] = [1, 2, 4].each_as(|bit| k & bit != 0);

@@ -40,7 +40,7 @@ pub trait Apart<B>: Copy {
     #[doc(hidden)]
     #[inline]
     fn farthest(self, _other: B) -> Self::Scalar {
-        Self::Scalar::lit(Self::Scalar::LARGEST)
+        Self::Scalar::largest()
     }
     /// Returns the faces of both that face each other along a direction from a to b. By default one point each.
     #[doc(hidden)]

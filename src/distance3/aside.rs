@@ -28,7 +28,7 @@ pub(super) fn across<S: Scalar>(ways: impl Iterator<Item = Vec3<S::Primal>> + Cl
         Vec3::select(more, way, most)
     });
     let product = along.cross(second);
-    let rounding = S::Primal::lit(S::EPSILON);
+    let rounding = S::Primal::rounding(1.0, 1);
     let squares = along.length_squared() * second.length_squared();
     let clear = product.length_squared().above(squares * rounding);
     fixed_vector(unit(Vec3::select(clear, product, beside(along))))

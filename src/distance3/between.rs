@@ -10,7 +10,6 @@ use super::spot::{CoreFeatures, Pull, Spot, fixed, fixed_vector, valued, vanish,
 use crate::arrays::Each;
 use crate::distance::edge::scale_of;
 use crate::distance::share::{Best, Carry};
-use crate::scalar::speck;
 use crate::{Mask, Scalar, Vec3};
 
 /// Returns a common anchor of two cores and the scale of their extent, so that no product over- or underflows. All
@@ -68,7 +67,7 @@ fn choose<P: Scalar, A: Core3<P>, B: Core3<P>>(a: &A, b: &B) -> CoreFeatures<P> 
     let (relation, inside) = (found.relation, found.inside);
     let none = inside & !inside;
     // A vector of the size of rounding has no direction that separates.
-    let slack = P::lit(SLACK * P::EPSILON);
+    let slack = P::rounding(SLACK, 1);
     let close = near.apart.length_squared().at_most(slack.squared()) & !inside;
     let (lost, beside) = match close.any() {
         true => {
@@ -94,7 +93,7 @@ fn choose<P: Scalar, A: Core3<P>, B: Core3<P>>(a: &A, b: &B) -> CoreFeatures<P> 
     let Some(deep) = deep else {
         return chosen;
     };
-    let lost = lost & deep.value.above(P::lit(-P::LARGEST));
+    let lost = lost & deep.value.above(P::lowest());
     let inside = inside | lost;
     let placed = lost & deep.grade.above(P::lit(grade::STEEP));
     let pick = |lost, plane: Vec3<P>, other: Vec3<P>| Vec3::select(lost, plane, other);
@@ -150,7 +149,7 @@ pub(super) fn derived<S: Scalar, A: Core3<S>, B: Core3<S>>(
     let across = aside - Vec3::select(linear, u * along - normal * rise, none);
     let across_square = across.length_squared();
     // Duals of a tiny length pass through numbers beyond the largest one.
-    let long = chosen.gap.above(lit(speck::<S>())) & !chosen.inside;
+    let long = chosen.gap.above(S::Primal::speck()) & !chosen.inside;
     let sum = (near * near + across_square).root() + near;
     let bend = S::select(long, across_square.over(S::select(long, sum, one)), zero) - rise;
 
@@ -158,7 +157,7 @@ pub(super) fn derived<S: Scalar, A: Core3<S>, B: Core3<S>>(
     let product = u.cross(v);
     let clear = product
         .length_squared()
-        .above(uu * v.length_squared() * S::lit(S::EPSILON));
+        .above(uu * v.length_squared() * S::rounding(1.0, 1));
     // A gap whose square vanishes has no normal to turn.
     let lead = normal.dot(product);
     let planar = ways.equals(lit(2.0)) & clear & lead.unsigned().above(zero);
@@ -244,7 +243,7 @@ fn nearest<P: Scalar, A: Core3<P>, B: Core3<P>>(a: &A, b: &B) -> Candidate<P> {
     let edges = edges.as_ref().iter().flat_map(AsRef::as_ref);
     let all = of_b.as_ref().iter().chain(of_a.as_ref()).chain(edges);
     let squares = all.clone().map(|one| one.square);
-    let least = squares.fold(P::lit(P::LARGEST), P::least);
+    let least = squares.fold(P::largest(), P::least);
     let mut count = P::zero();
     let mut sum = Candidate::none(least);
     for one in all {
@@ -263,7 +262,7 @@ pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<&Deepest<S>>) -> 
     // Duals of a tiny length pass through numbers beyond the largest one.
     let along = near.apart.dot(direction.constant());
     let along = along.with_primal(length.primal());
-    let length = S::select(length.at_most(S::lit(speck::<S>())), along, length);
+    let length = S::select(length.at_most(S::speck()), along, length);
     let none = length.at_most(S::zero());
     let square = near.apart.length_squared();
     let Some(deep) = deep else {
@@ -278,14 +277,14 @@ pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<&Deepest<S>>) -> 
         let inside = none & !none;
         return CoreRelation { relation, inside };
     };
-    let parted = deep.value.above(S::lit(-S::LARGEST));
+    let parted = deep.value.above(S::lowest());
     // Shifted by their depth, cores that overlap touch, and then a corner or an edge of one is on the other: without
     // the shift it is no farther from there than the depth. Faces too small to count would have separated all others.
-    let reachable = (S::lit(SLACK * S::EPSILON) - deep.value) - deep.value;
+    let reachable = (S::rounding(SLACK, 1) - deep.value) - deep.value;
     let behind = deep.value.below(S::zero()) & length.at_most(reachable);
     // For a point on a face, its height and the plane decide the side with different roundings. Few shapes are so
     // close, and batches leave out what only these need.
-    let slack = S::lit(SLACK * S::EPSILON);
+    let slack = S::rounding(SLACK, 1);
     let close = square.at_most(slack.squared());
     let against = direction.dot(deep.lead).below(S::zero());
     let opposite = close & !deep.value.below(S::zero()) & against;

@@ -228,7 +228,7 @@ impl<S: Scalar> Core3<S> for BoxCore<S> {
             let rise = normal.dot(arms[k]).magnitude();
             let here = lowest.spot.parts[1 + k];
             let side = S::one().signed_as(here);
-            let turn = (at[k] * side).below(zero) & rise.at_most(S::lit(EQUAL * S::EPSILON));
+            let turn = (at[k] * side).below(zero) & rise.at_most(S::rounding(EQUAL, 1));
             let step = arms[k] * (side + side);
             found.point -= Vec3::select(turn, step, Vec3::zero());
             found.spot.parts[1 + k] = S::select(turn, -here, here);

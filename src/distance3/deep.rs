@@ -60,7 +60,7 @@ fn least<P: Scalar, B: Core3<P>>(
     let values = all.iter().map(|over| over.ahead);
     let value = values.reduce(P::least).unwrap_or_else(P::zero);
     let (mut any, mut about) = (zero.below(zero), zero.below(zero));
-    let rounded = value + P::lit(MORE * P::EPSILON);
+    let rounded = value + P::rounding(MORE, 1);
     for over in all {
         any = any | over.ahead.equals(value) & over.on_face;
         about = about | over.ahead.at_most(rounded) & over.on_face;
@@ -102,11 +102,11 @@ pub(super) fn box_faces<P: Scalar, B: Core3<P>>(
     let [j, k] = [(axis + 1) % 3, (axis + 2) % 3];
     // As of two edges that are as short.
     let area = (a.half[j] + a.half[j]) * (a.half[k] + a.half[k]);
-    let empty = area.at_most(P::lit(P::EPSILON.powi(2)));
+    let empty = area.at_most(P::rounding(1.0, 2));
     let sides = [false, true].each_as(|low| {
         let turned = |x: P| if low { -x } else { x };
         let normal = if low { -a.axes[axis] } else { a.axes[axis] };
-        let slack = P::lit(MORE * P::EPSILON);
+        let slack = P::rounding(MORE, 1);
         let plane = least(normal, b, |corner| {
             let at = a.seen(corner);
             let within = |k: usize| at[k].unsigned().at_most(a.half[k] + slack);
@@ -140,7 +140,7 @@ pub(super) fn triangle_face<P: Scalar, B: Core3<P>>(
     let (u, v) = (face[1] - face[0], face[2] - face[0]);
     let normal = normal(u, v);
     let over = P::one().over(normal.square);
-    let (zero, slack) = (P::zero(), P::lit(MORE * P::EPSILON));
+    let (zero, slack) = (P::zero(), P::rounding(MORE, 1));
     // A foot is so far beyond an end as `product` is beyond zero, over the lengths of the normal and of that edge.
     let beyond = (slack * slack) * normal.square;
     let [bound_u, bound_v, bound_w] = [u, v, v - u].each_as(|w| beyond * w.length_squared());
@@ -191,7 +191,7 @@ fn across_edges<P: Scalar, A: Core3<P>, B: Core3<P>>(
 ) -> PartingPlane<P> {
     let normal = normal(u, v);
     let over = P::one().over(normal.square);
-    let slack = P::lit(MORE * P::EPSILON);
+    let slack = P::rounding(MORE, 1);
     // A point is so far beyond an end of one edge as the normal has roundings along the other.
     let beyond = (slack * slack) * over;
     let sides = [normal.unit, -normal.unit].each_as(|unit| {
@@ -294,7 +294,7 @@ pub(super) fn deepest<P: Scalar, A: Core3<P>, B: Core3<P>>(a: &A, b: &B) -> Opti
     });
     let faces = || of_a.as_ref().iter().chain(of_b.as_ref());
     let planes = || faces().chain(edges.as_ref().iter().flat_map(AsRef::as_ref));
-    let (never, empty) = (P::lit(-P::LARGEST), P::lit(grade::EMPTY));
+    let (never, empty) = (P::lowest(), P::lit(grade::EMPTY));
     let value = planes().fold(never, |most, plane| most.most(plane.value));
     // If there is no other face, faces without area belong to cores whose difference has no volume.
     let part = planes().fold(never, |most, plane| {
@@ -305,7 +305,7 @@ pub(super) fn deepest<P: Scalar, A: Core3<P>, B: Core3<P>>(a: &A, b: &B) -> Opti
         Vec3::select(plane.value.equals(value), plane.lead, lead)
     });
     let value = P::select(part.above(never), value, never);
-    let about = value - P::lit(3.0 * EQUAL * P::EPSILON);
+    let about = value - P::rounding(3.0 * EQUAL, 1);
     let best = planes().fold(empty, |best, plane| {
         let counts = plane.value.at_least(about);
         best.most(P::select(counts, plane.grade, empty))
@@ -334,7 +334,7 @@ pub(super) fn deepest<P: Scalar, A: Core3<P>, B: Core3<P>>(a: &A, b: &B) -> Opti
         found.count += P::select(counts, plane.points + plane.behind, P::zero());
         found.normal = Vec3::select(first, plane.normal, found.normal);
         let turn = (plane.normal - found.normal).length_squared();
-        let same = counts & turn.at_most(P::lit((SLACK * P::EPSILON).powi(2)));
+        let same = counts & turn.at_most(P::rounding(SLACK, 2));
         points += P::select(same, plane.points, P::zero());
         found.on_a += Vec3::select(same, plane.on_a, zero);
         found.on_b += Vec3::select(same, plane.on_b, zero);

@@ -11,7 +11,7 @@ use super::simplex::{SegmentCore, SimplexCore};
 use super::spot::{plain, vanish};
 use super::straight::{Straight, StraightKind};
 use crate::distance::edge::scale_of;
-use crate::scalar::{Guard, speck};
+use crate::scalar::Guard;
 use crate::shape::{Line3, Ray3};
 use crate::{Scalar, Vec3};
 
@@ -78,13 +78,13 @@ fn relate<S: Scalar>(a: Straight<S>, b: Straight<S>) -> Relation<S> {
     let (u, v, w) = (a.way(scale), b.way(scale), way * scale);
     let (zero, one) = (S::zero(), S::one());
     let safe = |square: S| {
-        let none = square.at_most(S::lit(S::EPSILON.powi(4)));
+        let none = square.at_most(S::rounding(1.0, 4));
         (none, S::select(none, one, square))
     };
     let ((point_a, uu), (point_b, vv)) = (safe(u.length_squared()), safe(v.length_squared()));
     let (mut cross, uv) = (normal(u, v), u.dot(v));
     // Rounding decides the crossing of nearly parallel features, and nothing bounds its distance.
-    let rounding = S::lit((8.0 * S::EPSILON).powi(2));
+    let rounding = S::rounding(8.0, 2);
     cross.none = cross.none | cross.square.at_most(uu * vv * rounding);
     // As for parallel features: the ends of b in parameters of a.
     let seen = |end: Vec3<S>| a.held(end.dot(u).over(uu)).0;
@@ -147,7 +147,7 @@ fn relate<S: Scalar>(a: Straight<S>, b: Straight<S>) -> Relation<S> {
 /// and q of orthogonality to u and v, which are zero, the squared distance is less by `|v r − u q|² / |u × v|²`.
 #[inline(always)]
 fn bent<S: Scalar>(found: Relation<S>, slides: S::Mask, less: S) -> Relation<S> {
-    let slides = slides & found.apart.above(S::lit(speck::<S>()));
+    let slides = slides & found.apart.above(S::speck());
     let less = S::select(slides, less, S::zero());
     let length = S::select(slides, found.apart, S::one());
     Relation {

@@ -176,7 +176,7 @@ fn manifold<S: Scalar<Mask = bool>>(
     });
     let coordinates = [origin.x, origin.y, origin.z].map(|x| x.unsigned());
     let rounding =
-        (size.primal() + most_of(coordinates).primal()) * S::Primal::lit(ROUNDINGS * S::EPSILON);
+        (size.primal() + most_of(coordinates).primal()) * S::Primal::rounding(ROUNDINGS, 1);
     let mut found = Found {
         relation,
         across: across(normal),
@@ -346,7 +346,7 @@ fn beside<S: Scalar<Mask = bool>>(
     let t = (way[0] * arm[0] + way[1] * arm[1]).over(square);
     let aside = turn(start.at, end.at, corner.at).unsigned();
     let on_line =
-        aside.at_most(square.root() * (slack + far(start.at, end.at) * S::lit(S::EPSILON).root()));
+        aside.at_most(square.root() * (slack + far(start.at, end.at) * S::rounding(1.0, 1).root()));
     if !on_line || t.below(S::zero()) || t.above(S::one()) {
         return None;
     }

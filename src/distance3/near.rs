@@ -244,13 +244,13 @@ pub(super) struct Normal<S: Scalar> {
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn normal<S: Scalar>(u: Vec3<S>, v: Vec3<S>) -> Normal<S> {
     let long = u.cross(v);
-    let (least, along) = (S::lit(S::EPSILON.powi(4)), u.length_squared());
+    let (least, along) = (S::rounding(1.0, 4), u.length_squared());
     let short = along.at_most(least);
     let rest = u.dot(long).over(S::select(short, S::one(), along));
     let long = long - u * S::from_primal(S::select(short, S::zero(), rest).primal());
     let square = long.length_squared();
     let none = short | square.at_most(least);
-    let clear = square.above(along * v.length_squared() * S::lit(S::EPSILON));
+    let clear = square.above(along * v.length_squared() * S::rounding(1.0, 1));
     let square = S::select(none, S::one(), square);
     let over = S::one().over(square.root());
     let unit = Vec3::select(none, Vec3::zero(), long * over);
@@ -286,7 +286,7 @@ pub(super) fn edge_near<S: Scalar>(
 ) -> (Best<S, Nearest<S>>, S, S::Mask) {
     let (arm, back) = (corner - edge.from, edge.to - corner);
     let square = edge.along.length_squared();
-    let point = square.at_most(S::lit(S::EPSILON.powi(4)));
+    let point = square.at_most(S::rounding(1.0, 4));
     let over = S::select(point, S::one(), square);
     let (ahead, behind) = (edge.along.dot(arm), edge.along.dot(back));
     let near = ahead.at_most(behind);
@@ -330,7 +330,7 @@ pub(super) fn face_near<S: Scalar>(
     let t = S::from_primal(t);
     let (apart, direction) = across(normal, rest - v * t);
     let mut found = Nearest::of(apart, corner - apart, corner);
-    found.value = S::select(inside, found.value, S::lit(S::LARGEST));
+    found.value = S::select(inside, found.value, S::largest());
     found.sum.normal = direction;
     let shares = [(one - s) - t, s, t];
     let share = |by_c: usize, by_b: usize, by_a: usize| {
@@ -361,7 +361,7 @@ pub(super) fn edges_near<S: Scalar>(
     let way = w + v * fixed(t) - u * fixed(s);
     let (apart, direction) = across(normal, way);
     let mut found = Nearest::of(apart, a.from + u * s, b.from + v * t);
-    found.value = S::select(inside, found.value, S::lit(S::LARGEST));
+    found.value = S::select(inside, found.value, S::largest());
     found.sum.normal = direction;
     (found, [s, t], normal.clear)
 }

@@ -54,7 +54,7 @@ impl<P: Scalar> PartingPlane<P> {
     pub fn none() -> Self {
         let zero = P::zero();
         PartingPlane {
-            value: P::lit(-P::LARGEST),
+            value: P::lowest(),
             grade: zero,
             normal: Vec3::zero(),
             points: zero,
@@ -114,7 +114,7 @@ impl<P: Scalar> PartingPlane<P> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn unless(self, none: P::Mask) -> Self {
         PartingPlane {
-            value: P::select(none, P::lit(-P::LARGEST), self.value),
+            value: P::select(none, P::lowest(), self.value),
             ..self
         }
     }

@@ -22,7 +22,7 @@ impl<S: Scalar> NearestEdge3<S> {
     #[must_use]
     #[inline(always)]
     pub fn empty() -> Self {
-        let most = S::lit(S::LARGEST);
+        let most = S::largest();
         NearestEdge3 {
             distance: most,
             sum: most,

@@ -1,6 +1,5 @@
 //! The relation of two shapes of space to each other, from which all distances follow.
 use super::outcome::{Contact3, PointPair3};
-use crate::scalar::speck;
 use crate::{Scalar, Vec3};
 
 /// The relation of two shapes to each other.
@@ -100,5 +99,5 @@ pub(super) fn direction<S: Scalar>(way: Vec3<S>) -> Vec3<S> {
     let none = length.at_most(S::zero());
     let over = S::select(none, S::one(), length);
     let unit = Vec3::new(way.x.over(over), way.y.over(over), way.z.over(over));
-    Vec3::select(length.at_most(S::lit(speck::<S>())), unit.constant(), unit)
+    Vec3::select(length.at_most(S::speck()), unit.constant(), unit)
 }

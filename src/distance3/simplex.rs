@@ -195,7 +195,7 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core3<S>
         }
         // Corners that rounding may have put below the edge leave it the lowest.
         let (rest, none) = (least.0, zero.below(zero));
-        found.is_edge = rest.at_least(S::lit(-MORE * S::EPSILON));
+        found.is_edge = rest.at_least(S::rounding(-MORE, 1));
         found.rest = S::select(found.is_edge, rest, zero);
         found.point = Vec3::select(found.is_edge, from, least.1);
         found.spot = found.spot.join(least.2, found.is_edge, none);

@@ -1,7 +1,6 @@
 //! Lengths in units of their own: sizes of boxes keep their digits however small or large they are relative to each
 //! other or to the distance between them.
 use crate::Scalar;
-use crate::scalar::power_of_largest;
 
 /// The units of the sizes of two boxes: powers of two, constants.
 pub(super) struct BoxUnits<S: Scalar> {
@@ -24,7 +23,7 @@ pub(super) struct BoxUnits<S: Scalar> {
 /// allow, so that derivatives by lengths stay finite in that unit.
 #[inline(always)]
 fn bounded_unit<S: Scalar>(length: S) -> S {
-    let most = S::lit(power_of_largest::<S>(-0.75)).binade();
+    let most = S::largest_to(-0.75).binade();
     let unit = length.binade();
     S::select(most.below(unit), most, unit)
 }
@@ -59,7 +58,7 @@ impl<S: Scalar> BoxUnits<S> {
         for _ in 1..POWER {
             unit *= both;
         }
-        let steep = unit.below(S::Primal::lit(4096.0 / S::LARGEST));
+        let steep = unit.below(S::Primal::lit(4096.0 / S::format().largest()));
         move |x: S| S::select(steep, S::from_primal(x.primal()), x)
     }
 }
@@ -125,7 +124,7 @@ pub(super) fn root_of_sum<S: Scalar>(shape: S, units: &BoxUnits<S>, way: &Displa
     let unit = S::select(bounded, bound, unit);
     let (per_shape, per_way) = (unit.over(units.both), unit.over(way.unit));
     // A distance of zero has second derivatives; far from its unit they are beyond the format.
-    let held = |x: S| x.least(S::lit(power_of_largest::<S>(0.25)));
+    let held = |x: S| x.least(S::largest_to(0.25));
     let of_shape = S::select(units.none, held(per_shape), per_shape);
     let of_way = S::select(way.none, held(per_way), per_way);
     let sum = shape * of_shape * of_shape + way.squared * of_way * of_way;
@@ -133,7 +132,7 @@ pub(super) fn root_of_sum<S: Scalar>(shape: S, units: &BoxUnits<S>, way: &Displa
     let own = |none: S::Mask, x: S| S::select(none, one, x).primal();
     let (of_shape, of_way) = (own(units.none, of_shape), own(way.none, of_way));
     let steep = of_shape * of_shape + of_way * of_way;
-    let steep = steep.above((unit.primal() * root) * S::Primal::lit(S::LARGEST / 8.0));
+    let steep = steep.above((unit.primal() * root) * S::Primal::lit(S::format().largest() / 8.0));
     let sum = S::select(steep, S::from_primal(sum.primal()), sum);
     sum.root().over(unit).saturated()
 }

@@ -77,7 +77,8 @@ fn unit<S: Scalar>(quarter: S) -> (S, S) {
 #[inline(always)]
 fn finite_derivatives<S: Scalar>(scale: S, smallest: S) -> impl Fn(S) -> S + use<S> {
     let per = S::Primal::one().over(smallest.primal());
-    let steep = ((scale.primal() * per) * (per * per)).above(S::Primal::lit(S::LARGEST / 1024.0));
+    let steep = ((scale.primal() * per) * (per * per))
+        .above(S::Primal::lit(S::format().largest() / 1024.0));
     move |x: S| S::select(steep, S::from_primal(x.primal()), x)
 }
 
@@ -244,7 +245,7 @@ pub fn kfiou<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
 pub(crate) fn fused<S: Scalar>(of_a: S, of_b: S) -> S {
     let product = of_a * of_b;
     let total = of_a + of_b - product;
-    let empty = total.at_most(S::lit(S::EMPTY));
+    let empty = total.at_most(S::lit(S::format().empty()));
     let value = product.over(S::select(empty, S::one(), total));
     S::select(empty, S::zero(), value).canonical()
 }

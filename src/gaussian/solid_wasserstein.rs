@@ -57,8 +57,8 @@ fn pair<S: Scalar, const POWER: usize>(a: Obb3<S>, b: Obb3<S>) -> WassersteinPai
 /// aligns one cloud with another.
 ///
 /// Newton's iteration `X ← ½ (γ X + X⁻ᵀ / γ)` with Higham's scaling γ; nine steps reach rounding from any
-/// matrix that two boxes with sizes of [`Scalar::EPSILON`] to four can make, three more are room. Its determinant is
-/// then above `EPSILON⁴`: no product underflows.
+/// matrix that two boxes with sizes of [`Format::epsilon`](crate::scalar::Format::epsilon) to four can make, three more are room. Its determinant is
+/// then above the fourth power of epsilon: no product underflows.
 fn nearest_rotation<S: Scalar>(mut x: [[S::Primal; 3]; 3]) -> [[S; 3]; 3] {
     let zero = S::Primal::zero();
     for _ in 0..12 {
@@ -71,7 +71,7 @@ fn nearest_rotation<S: Scalar>(mut x: [[S::Primal; 3]; 3]) -> [[S; 3]; 3] {
             }
         }
         let det = x[0][0] * cofactor[0][0] + x[0][1] * cofactor[0][1] + x[0][2] * cofactor[0][2];
-        let flat = det.at_most(S::Primal::lit(S::EMPTY));
+        let flat = det.at_most(S::Primal::lit(S::format().empty()));
         let det = S::Primal::select(flat, S::Primal::one(), det);
         let norm = |m: &[[S::Primal; 3]; 3]| {
             let mut sum = zero;
@@ -109,7 +109,7 @@ fn of_shapes<S: Scalar>(pair: &WassersteinPair<S>) -> S {
         S::Primal::select(none, S::Primal::one(), size)
     };
     let (size_a, size_b) = (largest(pair.a), largest(pair.b));
-    let thin = |size: S::Primal| S::from_primal(size * S::Primal::lit(S::EPSILON));
+    let thin = |size: S::Primal| S::from_primal(size * S::Primal::rounding(1.0, 1));
     let (least_a, least_b) = (thin(size_a), thin(size_b));
     let mut aligned = [[S::zero(); 3]; 3];
     for m in 0..3 {
@@ -162,8 +162,8 @@ fn gain<S: Scalar>(aligned: &[[S; 3]; 3], best: &[[S; 3]; 3]) -> S {
     let (c00, c11, c22) = (d1 * d2 - e0 * e0, d2 * d0 - e1 * e1, d0 * d1 - e2 * e2);
     let (c12, c20, c01) = (e1 * e2 - d0 * e0, e2 * e0 - d1 * e1, e0 * e1 - d2 * e2);
     let det = d0 * c00 + e2 * c01 + e1 * c20;
-    let rounding = S::Primal::lit(S::EPSILON) * (trace * trace) * trace;
-    let flat = det.at_most(rounding.most(S::Primal::lit(S::EMPTY)));
+    let rounding = S::Primal::rounding(1.0, 1) * (trace * trace) * trace;
+    let flat = det.at_most(rounding.most(S::Primal::lit(S::format().empty())));
     let per = S::Primal::select(flat, S::Primal::one(), det);
     let per = S::Primal::select(flat, S::Primal::zero(), S::Primal::one().over(per));
     let still = |x: S| x.with_primal(S::Primal::zero());

@@ -10,7 +10,10 @@ fn way<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> Displacement<S> {
 /// Returns sizes, as constants where all are near the smallest numbers: relative derivatives are near the largest
 /// there.
 fn small_as_constant<S: Scalar>(size: Vec2<S>) -> Vec2<S> {
-    let small = size.x.most(size.y).at_most(S::lit(4096.0 / S::LARGEST));
+    let small = size
+        .x
+        .most(size.y)
+        .at_most(S::lit(4096.0 / S::format().largest()));
     let held = |x: S| S::select(small, S::from_primal(x.primal()), x);
     Vec2::new(held(size.x), held(size.y))
 }
@@ -41,7 +44,7 @@ fn of_shapes<S: Scalar, const POWER: usize>(a: Obb2<S>, b: Obb2<S>) -> (S, BoxUn
     let crossed = a.x * b.y + a.y * b.x;
     let root = (straight * straight * cos2 + crossed * crossed * sin2).root();
     let sum = straight + root;
-    let empty = sum.at_most(S::lit(S::EMPTY));
+    let empty = sum.at_most(S::lit(S::format().empty()));
     let anisotropy = (a.x - a.y) * (a.x + a.y) * ((b.x - b.y) * (b.x + b.y));
     let twist = (sin2 * anisotropy).over(S::select(empty, S::one(), sum));
     let twist = S::select(empty, S::zero(), twist) * (units.share_a * units.share_b);

@@ -66,7 +66,7 @@ pub fn crossing_of_lines<S: Scalar>(a: Line2<S>, b: Line2<S>) -> CommonPoint<S> 
     let (of_a, of_b, of_way) = (scale(a.direction), scale(b.direction), scale(way));
     let (da, db, w) = (a.direction * of_a, b.direction * of_b, way * of_way);
     let turn = da.perp_dot(db);
-    let cross = turn.magnitude().above(S::lit(S::EPSILON.powi(2)));
+    let cross = turn.magnitude().above(S::rounding(1.0, 2));
     let safe = S::select(cross, turn, S::one());
     let along = |across: S, unit: S| {
         let local = S::select(cross, across, S::zero()).over(safe);
@@ -138,7 +138,7 @@ pub fn meeting_of_segments<S: Scalar>(a: Segment2<S>, b: Segment2<S>) -> CommonP
 
     // Along: the parameters of the other's ends on the base.
     let square = d.length_squared();
-    let point = square.at_most(S::lit(S::EPSILON.powi(4)));
+    let point = square.at_most(S::rounding(1.0, 4));
     let square = S::select(point, S::one(), square);
     let far = (other.to - base.from) * scale;
     let (first, second) = (w.dot(d).over(square), far.dot(d).over(square));

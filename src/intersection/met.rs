@@ -13,12 +13,12 @@ fn side<P: Scalar<Primal = P>>(point: Vec2<P>, way: Vec2<P>, corner: Vec2<P>, un
     let rounded = way.perp_dot((corner - point) * unit);
     // The direction is below 4, the arm below 8: three roundings of products up to 32, and that of their difference.
     let within = |most: f64, side: P| side.unsigned().at_most(P::lit(most));
-    let doubt = within(128.0 * P::EPSILON, rounded);
+    let doubt = within(128.0 * P::format().epsilon(), rounded);
     if !doubt.any() {
         return rounded;
     }
     let exact = wide_side(point, way, corner, unit);
-    let zero = within(256.0 * P::EPSILON.powi(2), exact);
+    let zero = within(256.0 * P::format().epsilon().powi(2), exact);
     P::select(doubt, P::select(zero, P::zero(), exact), rounded)
 }
 
@@ -61,7 +61,7 @@ pub(super) fn met<S: Scalar>(
     (corners, placed): (&[Vec2<S>], &[Vec2<S>]),
     (scale, length): (S, S),
 ) -> Inside<S> {
-    let (zero, large) = (S::zero(), S::lit(S::LARGEST));
+    let (zero, large) = (S::zero(), S::largest());
     let size = scale_of::<S>(size_of(line.direction)).primal();
     let (point, way) = (plain(line.point), plain(line.direction) * size);
     let length = length.primal() * size;
@@ -98,7 +98,7 @@ pub(super) fn met<S: Scalar>(
         S::select(on, first, crossing),
         S::select(on, last, crossing),
     );
-    let away = |found: S, wanted: S| (found - wanted).unsigned().above(S::lit(64.0 * S::EPSILON));
+    let away = |found: S, wanted: S| (found - wanted).unsigned().above(S::rounding(64.0, 1));
     let off = away(inside.enter.value, first) | away(inside.exit.value, last);
     let anew = !still & meets & (inside.is_empty() | (first.below(last) & off));
     let missed = !still & !meets;

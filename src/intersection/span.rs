@@ -80,7 +80,7 @@ fn find<S: Scalar, A: Convex<S>>(line: Line2<S>, shape: A) -> LineSpan<S> {
     }
     let found = !inside.is_empty() & size_of(line.direction).above(S::Primal::zero());
     let border = |best: Best<S, Border<S>>| {
-        let endless = best.value.magnitude().at_least(S::lit(S::LARGEST));
+        let endless = best.value.magnitude().at_least(S::largest());
         let mean = best.mean();
         let t = mean.t.over(scale).over(length).saturated();
         Border {
@@ -137,7 +137,7 @@ pub fn span<S: Scalar, A: Convex<S>>(line: Line2<S>, shape: A) -> Chord<S> {
 #[inline]
 pub fn first_hit<S: Scalar, A: Convex<S>>(ray: Ray2<S>, shape: A) -> Hit<S> {
     let inside = find(ray.line(), shape);
-    let large = S::lit(S::LARGEST);
+    let large = S::largest();
     let zero = S::zero();
     let ahead = |t: S| zero.at_most(t) & t.below(large);
     let enters = inside.found & ahead(inside.enter.t);

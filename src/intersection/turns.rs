@@ -82,10 +82,10 @@ impl<P: Scalar<Primal = P>> EndSides<P> {
             of_base: [w.perp_dot(e), e.perp_dot(back)],
         };
         let all = rounded.of_other.into_iter().chain(rounded.of_base);
-        let least = all.fold(P::lit(P::LARGEST), |least, x| least.least(x.unsigned()));
+        let least = all.fold(P::largest(), |least, x| least.least(x.unsigned()));
         // Coordinates of differences are below 8, and a product of two and their difference take four roundings of half
         // an ε each.
-        let doubt = least.at_most(P::lit(256.0 * P::EPSILON));
+        let doubt = least.at_most(P::rounding(256.0, 1));
         if !doubt.any() {
             return rounded;
         }

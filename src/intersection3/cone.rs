@@ -12,12 +12,12 @@ use crate::{Scalar, Vec3};
 /// nothing: so the thickness of a flat cone decides of no line that is not nearly parallel to its base.
 #[inline]
 pub(super) fn in_cone<S: Scalar>(beam: Beam<S>, base: Vec3<S>, radius: S) -> Inside<S> {
-    let (zero, one, large) = (S::zero(), S::one(), S::lit(S::LARGEST));
+    let (zero, one, large) = (S::zero(), S::one(), S::largest());
     let size = scale_of::<S>(size_of(base));
     let (unit, reach) = (base * size, radius * size);
     let (arm, along) = (beam.from, beam.along);
     let (z, rate, square) = (unit.dot(arm), unit.dot(along), unit.length_squared());
-    let level = rate.magnitude().at_most(S::lit(S::EPSILON.powi(2)));
+    let level = rate.magnitude().at_most(S::rounding(1.0, 2));
     let steady = S::select(level, one, rate);
 
     // |p × axis|² |axis|² ≤ radius² (p · axis)² for every point p of the line; both factors by a power of two that
@@ -33,11 +33,11 @@ pub(super) fn in_cone<S: Scalar>(beam: Beam<S>, base: Vec3<S>, radius: S) -> Ins
     let left = discriminant(a, b, c, square * tall * left);
     // Both terms of `a` are rounded four times, and across the axis a direction has some roundings; a line so near to
     // parallel to a straight line of the side crosses it once within the cone.
-    let least = (tall * u.length_squared() + wide * rate * rate) * S::lit(4.0 * S::EPSILON)
-        + tall * S::lit((8.0 * S::EPSILON).powi(2));
+    let least = (tall * u.length_squared() + wide * rate * rate) * S::rounding(4.0, 1)
+        + tall * S::rounding(8.0, 2);
     let parallel = a.magnitude().at_most(least);
     // Through the apex, within four roundings, both roots are one, without a slope across the line.
-    let slack = size_of(along) * size_of(arm) * S::Primal::lit(4.0 * S::EPSILON);
+    let slack = size_of(along) * size_of(arm) * S::Primal::rounding(4.0, 1);
     let at_apex = size_of(turn).at_most(slack);
     let left = S::select(at_apex, zero, left);
     let (near, far) = roots(S::select(parallel, one, a), -b, c, left);

@@ -66,8 +66,7 @@ pub(super) fn roots<S: Scalar>(a: S, b: S, c: S, square: S) -> (S, S) {
     // Nothing cancels where both vanish, and a quotient by their sum would have slopes beyond all bounds. A line that
     // misses within rounding has a quotient beyond the other root, which is mostly rounding.
     let beyond = (a * c).above(sum * sum);
-    let none =
-        sum.magnitude().at_most(S::lit(S::EPSILON.powi(2))) | square.below(S::zero()) | beyond;
+    let none = sum.magnitude().at_most(S::rounding(1.0, 2)) | square.below(S::zero()) | beyond;
     let (over, under) = (S::select(none, rest, c), S::select(none, a, sum));
     (over.over(under), far)
 }
@@ -137,7 +136,7 @@ impl<S: Scalar> Tube<S> {
         let left = square * (a * most - turn * turn);
         let c = v.length_squared() - square * most;
         // Across the axis a direction has some roundings.
-        Tube::new(a, u.dot(v), c, left, S::lit((8.0 * S::EPSILON).powi(2)))
+        Tube::new(a, u.dot(v), c, left, S::rounding(8.0, 2))
     }
 }
 
@@ -157,14 +156,14 @@ impl<S: Scalar> Inside<S> {
             t: S::lit(t),
             normal: Vec3::zero(),
         };
-        Inside::new(end(-S::LARGEST), end(S::LARGEST))
+        Inside::new(end(-S::format().largest()), end(S::format().largest()))
     }
     /// Returns an empty range where the mask is true or where the line would leave before it enters.
     #[must_use]
     #[inline(always)]
     pub fn unless(mut self, empty: S::Mask) -> Self {
         let empty = empty | self.exit.value.below(self.enter.value);
-        let large = S::lit(S::LARGEST);
+        let large = S::largest();
         self.enter.value = S::select(empty, large, self.enter.value);
         self.exit.value = S::select(empty, -large, self.exit.value);
         self
@@ -190,9 +189,9 @@ impl<S: Scalar> Inside<S> {
     pub fn behind(self, beam: Beam<S>, point: Vec3<S>, normal: Vec3<S>) -> Self {
         let ahead = normal.dot(beam.from - point);
         let rate = normal.dot(beam.along);
-        let parallel = rate.magnitude().at_most(S::lit(S::EPSILON.powi(2)));
+        let parallel = rate.magnitude().at_most(S::rounding(1.0, 2));
         let t = (-ahead).over(S::select(parallel, S::one(), rate));
-        let large = S::lit(S::LARGEST);
+        let large = S::largest();
         let border = Best::of(t, Border { t, normal });
         let only = |mask: S::Mask, none: S| Best {
             value: S::select(!parallel & mask, t, none),
@@ -228,7 +227,7 @@ impl<S: Scalar> Inside<S> {
             t: S::select(tube.is_parallel, end, t),
             normal: Vec3::select(tube.is_parallel, Vec3::zero(), outwards(across(t), radius)),
         };
-        let large = S::lit(S::LARGEST);
+        let large = S::largest();
         Inside::new(border(tube.low, -large), border(tube.high, large)).unless(tube.is_missed)
     }
     /// Returns the range inside a cylinder without ends, given its axis in units of its own size.
@@ -257,7 +256,7 @@ impl<S: Scalar> Inside<S> {
     pub(super) fn rounded(self, [start, end]: [Self; 2], [base, rate, top]: [S; 3]) -> Self {
         let zero = S::zero();
         let pick = |t: S, [low, side, high]: [Best<S, Border<S>>; 3]| {
-            let endless = t.magnitude().at_least(S::lit(S::LARGEST));
+            let endless = t.magnitude().at_least(S::largest());
             let height = base + rate * S::select(endless, zero, t);
             let ahead = rate.above(zero) & t.above(zero) | rate.below(zero) & t.below(zero);
             let below = endless & !ahead | !endless & height.below(zero);

@@ -84,7 +84,7 @@ fn find<S: Scalar, A: Pierced<Scalar = S>>(line: Line3<S>, shape: A) -> LineSpan
     };
     let inside = shape.inside(beam, scale);
     let border = |best: Best<S, Border<S>>| {
-        let endless = best.value.magnitude().at_least(S::lit(S::LARGEST));
+        let endless = best.value.magnitude().at_least(S::largest());
         let mean = best.mean();
         let t = (mean.t * size).over(scale).saturated();
         Border {
@@ -142,7 +142,7 @@ pub fn span<S: Scalar, A: Pierced<Scalar = S>>(line: Line3<S>, shape: A) -> Chor
 #[inline]
 pub fn first_hit<S: Scalar, A: Pierced<Scalar = S>>(ray: Ray3<S>, shape: A) -> Hit3<S> {
     let inside = find(ray.line(), shape);
-    let (large, zero) = (S::lit(S::LARGEST), S::zero());
+    let (large, zero) = (S::largest(), S::zero());
     let ahead = |t: S| zero.at_most(t) & t.below(large);
     let enters = inside.found & ahead(inside.enter.t);
     let leaves = inside.found & inside.enter.t.below(zero) & ahead(inside.exit.t);

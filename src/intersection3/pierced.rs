@@ -79,7 +79,7 @@ fn in_box<S: Scalar>(shape: BoxCore<S>, beam: Beam<S>, scale: S) -> Inside<S> {
 fn in_round_box<S: Scalar>(shape: BoxCore<S>, radius: S, beam: Beam<S>, scale: S) -> Inside<S> {
     let [from, along] = [beam.from, beam.along].each_as(|v| shape.axes.each_as(|axis| axis.dot(v)));
     let half = shape.half.each_as(|half| half * scale);
-    let (zero, one, large) = (S::zero(), S::one(), S::lit(S::LARGEST));
+    let (zero, one, large) = (S::zero(), S::one(), S::largest());
     let local = Beam {
         from: vector(from),
         along: vector(along),
@@ -94,7 +94,7 @@ fn in_round_box<S: Scalar>(shape: BoxCore<S>, radius: S, beam: Beam<S>, scale: S
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
         let rate = along[k];
         // The faces across this axis: where the line comes to the box, and where it goes.
-        let parallel = rate.magnitude().at_most(S::lit(S::EPSILON.powi(2)));
+        let parallel = rate.magnitude().at_most(S::rounding(1.0, 2));
         let safe = S::select(parallel, one, rate);
         let ahead = one.signed_as(rate);
         let face = |side: S| {
@@ -131,7 +131,7 @@ fn in_round_box<S: Scalar>(shape: BoxCore<S>, radius: S, beam: Beam<S>, scale: S
                 along[i] * arm[0] + along[j] * arm[1],
                 arm[0].squared() + arm[1].squared() - most,
                 square * most - turn.squared(),
-                S::lit(S::EPSILON.powi(4)),
+                S::rounding(1.0, 4),
             );
             let across = |t: S| {
                 let mut across = [zero; 3];

@@ -69,7 +69,7 @@ pub fn crossing_of_two_planes<S: Scalar>(a: Plane3<S>, b: Plane3<S>) -> CommonLi
     let ((m, p), (n, q)) = (sized(a), sized(b));
     let way = m.cross(n);
     let square = way.length_squared();
-    let cross = square.above(S::lit(S::EPSILON.powi(4)));
+    let cross = square.above(S::rounding(1.0, 4));
     let square = S::select(cross, square, S::one());
     let point = n.cross(way) * p.over(square) + way.cross(m) * q.over(square);
     let direction = way * S::one().over(square.root());
@@ -113,7 +113,7 @@ pub fn crossing_of_three_planes<S: Scalar>(
     // Five roundings, each half an ε, reach every term.
     let meet = volume
         .magnitude()
-        .above(triple_terms(l, m, n) * S::lit(4.0 * S::EPSILON));
+        .above(triple_terms(l, m, n) * S::rounding(4.0, 1));
     let volume = S::select(meet, volume, S::one());
     let point = mn * p.over(volume) + nl * q.over(volume) + lm * r.over(volume);
     Guard::of(&a).and(&b).and(&c).result(CommonPoint3 {

@@ -44,7 +44,7 @@ impl<S: Scalar> Sight<S> {
         // Three roundings of a corner's coordinates and two of its product, times four for safety.
         let sizes = arms.each_as(|arm| S::from_primal(size_of(arm)));
         let length = size_of(along);
-        let slack = largest(sizes) * length * S::Primal::lit(8.0 * S::EPSILON);
+        let slack = largest(sizes) * length * S::Primal::rounding(8.0, 1);
         let wide = aside.each_as(size_of);
         let raw = spans.each_as(S::primal);
         for (k, [i, j]) in EDGES.into_iter().enumerate() {
@@ -174,7 +174,7 @@ pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) ->
     let length = S::from_primal(size_of(beam.along));
     let fine = S::from_primal(sight.slack) * length;
     let [b, c, d] = [b, c, d].each_as(|corner| corner - a);
-    let least = triple_terms(b, c, d) * S::lit(S::EPSILON);
+    let least = triple_terms(b, c, d) * S::rounding(1.0, 1);
     let touch = b.cross(c).dot(d).magnitude().at_most(least);
     let all = (against.place + with.place).over((against.count + with.count).most(one));
     let turned = high.below(low);
@@ -215,7 +215,7 @@ pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) ->
 #[inline(always)]
 fn edges_met<S: Scalar>(sight: &Sight<S>) -> (Best<S, S>, Best<S, S>) {
     let wide = sight.aside.each_as(size_of);
-    let (zero, large) = (S::zero(), S::lit(S::LARGEST));
+    let (zero, large) = (S::zero(), S::largest());
     let (mut first, mut last) = (Best::of(large, large), Best::of(-large, -large));
     let mut add = |is_met: S::Mask, place: S| {
         first = first.less(Best::of(S::select(is_met, place, large), place));

@@ -76,7 +76,7 @@ fn within<P: Scalar>(x: P, of: P, part: f64) -> P::Mask {
 /// Returns a number of twice the digits, zero if it is within `roundings` of its roundings.
 #[inline(always)]
 fn unless_zero<P: Scalar>(x: P, of: P, roundings: f64) -> P {
-    let zero = within(x, of, roundings * P::EPSILON.powi(2));
+    let zero = within(x, of, roundings * P::format().epsilon().powi(2));
     P::select(zero, P::zero(), x)
 }
 
@@ -137,7 +137,7 @@ impl<P: Scalar<Primal = P>> Sight<P> {
         // Factors of a relative coordinate are below 4. Three roundings of each product and one of their difference
         // leave 64 ε of a coordinate. Twice that and the roundings of a side, of coordinates below 32, are less than
         // 192 ε.
-        let close = [0, 1, 2].map(|k| within(values[k], reach[k], 192.0 * P::EPSILON));
+        let close = [0, 1, 2].map(|k| within(values[k], reach[k], 192.0 * P::format().epsilon()));
         // Weights by sides lose as many digits as the triangle looks thin.
         let [u, v, w] = values;
         let (low, high) = (u.least(v).least(w), u.most(v).most(w));
@@ -183,7 +183,7 @@ fn behind<P: Scalar<Primal = P>>(
     let value = p.cross(q).dot((a - place) * near);
     let size = size_of(p) * size_of(q);
     // Coordinates of the arm are below 4; roundings of the cross product and of the sum reach 100 ε.
-    let doubt = within(value, size, 128.0 * P::EPSILON);
+    let doubt = within(value, size, 128.0 * P::format().epsilon());
     PlaneHeight {
         place,
         value,
@@ -296,7 +296,7 @@ fn hit<S: Scalar>(ray: Ray3<S>, end: Option<Vec3<S>>, triangle: Triangle3<S>) ->
     let guard = Guard::of(&ray).and(&triangle);
     let guard = end.map_or(guard, |end| guard.and(&end));
     guard.result(Hit3 {
-        parameter: S::select(found, t, S::lit(S::LARGEST)).canonical(),
+        parameter: S::select(found, t, S::largest()).canonical(),
         point: point.canonical(),
         normal: Vec3::select(found, facing, Vec3::zero()).canonical(),
         kind: S::select(found, S::one(), S::zero()),

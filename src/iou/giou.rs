@@ -18,7 +18,7 @@ pub(crate) fn score<S: Scalar>(inter: S, area_a: S, area_b: S, hull: S) -> S {
 /// Returns `rest / all`, zero with derivative zero where `all` is next to nothing.
 #[inline(always)]
 pub(super) fn outside_share<S: Scalar>(rest: S, all: S) -> S {
-    let empty = all.at_most(S::lit(S::EMPTY));
+    let empty = all.at_most(S::lit(S::format().empty()));
     S::select(empty, S::zero(), rest.over(S::select(empty, S::one(), all)))
 }
 

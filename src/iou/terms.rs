@@ -1,5 +1,4 @@
 //! Terms of DIoU, CIoU and EIoU of boxes of the plane.
-use crate::scalar::speck;
 use crate::{Scalar, Vec2};
 
 /// Returns `x / y`, zero with derivative zero where `y` is zero.
@@ -79,7 +78,7 @@ impl<S: Scalar> Terms<S> {
         let share = |x: S, y: S| {
             let share = share(x, y);
             let constant = S::from_primal(share.primal());
-            S::select(y.at_most(S::lit(speck::<S>())), constant, share)
+            S::select(y.at_most(S::speck()), constant, share)
         };
         let wide = share(a.x - b.x, self.against.x).squared();
         let high = share(a.y - b.y, self.against.y).squared();

@@ -42,7 +42,7 @@ impl<S: Scalar> BoxPair<S> {
     #[inline(always)]
     fn terms(&self, around: Three<S>) -> Terms<S> {
         let all = volume(around);
-        let empty = all.at_most(S::lit(S::EMPTY));
+        let empty = all.at_most(S::lit(S::format().empty()));
         let held = choose(empty, S::one(), all);
         let covered = |size| choose(empty, S::zero(), part(volume(size), held));
         let covered = [covered(self.size_a), covered(self.size_b)];
@@ -108,7 +108,7 @@ pub(super) fn of_any<S: Scalar>(a: Obb3<S>, b: Obb3<S>, iou: S, kind: Enclosing)
     let by_b = extents(p, back, reach);
     // The smaller one, by values alone: where rounding decides, both by half.
     let (of_a, of_b) = (volume(by_a).primal(), volume(by_b).primal());
-    let slack = (of_a + of_b) * S::Primal::lit(ROUNDINGS * S::EPSILON);
+    let slack = (of_a + of_b) * S::Primal::rounding(ROUNDINGS, 1);
     let close = (of_a - of_b).unsigned().at_most(slack);
     // A box that holds the other one is the least around both, however it turns.
     let holds = |around: Three<S>, half: Three<S>| {

@@ -132,7 +132,7 @@ fn ground<S: Scalar>(a: Obb2<S>, b: Obb2<S>, kind: Enclosing) -> Ground<S> {
         let covered = |x: S| S::select(empty, S::zero(), part(x, held));
         [covered(size[0]), covered(size[1])]
     };
-    let none = |area: S| area.at_most(S::lit(S::EMPTY));
+    let none = |area: S| area.at_most(S::lit(S::format().empty()));
     match kind {
         Enclosing::Aabb => {
             let BoxesAround { around, way, sizes } = bounds(a, b, scale);

@@ -46,7 +46,7 @@ fn weight<S: Scalar>(x: S, terms: [S; 3]) -> S::Primal {
     let all = x + (a.unsigned() + b + c);
     let near = (x - y)
         .unsigned()
-        .at_most(all * S::Primal::lit(ROUNDINGS * S::EPSILON));
+        .at_most(all * S::Primal::rounding(ROUNDINGS, 1));
     let won = S::Primal::select(x.above(y), S::Primal::one(), S::Primal::zero());
     S::Primal::select(near, S::Primal::lit(0.5), won)
 }
@@ -57,7 +57,7 @@ fn weight<S: Scalar>(x: S, terms: [S; 3]) -> S::Primal {
 fn farther<S: Scalar>(own: S, way: S, other: S, tie: S::Mask) -> S {
     let reach = way + other;
     let all = (own.primal() + way.primal().unsigned()) + other.primal();
-    let slack = S::from_primal(all * S::Primal::lit(ROUNDINGS * S::EPSILON));
+    let slack = S::from_primal(all * S::Primal::rounding(ROUNDINGS, 1));
     let near = tie | (own - reach).unsigned().at_most(slack);
     let longer = S::select(own.below(reach), reach, own);
     S::select(near, own.halved() + reach.halved(), longer)
@@ -190,13 +190,13 @@ impl<S: Scalar> MirroredPair<S> {
 pub(super) fn least_rectangle<S: Scalar>(pair: &Relative<S>) -> Rectangle<S> {
     let all = MirroredPair::of(pair).directions();
     let area = |x: &RectangleAlong<S>| (x.length * x.width).over(x.squared);
-    let mut least = S::Primal::lit(S::LARGEST);
+    let mut least = S::Primal::largest();
     for x in &all {
         let own = area(x).primal();
         let better = x.is_edge & own.below(least);
         least = S::Primal::select(better, own, least);
     }
-    let slack = least * S::Primal::lit(1.0 + ROUNDINGS * S::EPSILON);
+    let slack = least * S::Primal::lit(1.0 + ROUNDINGS * S::format().epsilon());
     let (mut count, zero) = (S::Primal::zero(), S::zero());
     let mut sum = Rectangle {
         area: zero,

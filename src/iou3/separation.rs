@@ -22,7 +22,7 @@ fn widest_gap<S: Scalar>(pair: &Relative3<S>) -> S {
         of_a.most(center.magnitude() - (p[i] + reach))
     };
     let gap = most_of([faces(0), faces(1), faces(2)]);
-    let least = S::lit(64.0 * S::EPSILON);
+    let least = S::rounding(64.0, 1);
     // The gap along a's edge i cross b's edge m, or the given number if both are parallel.
     let edges = |i: usize, m: usize, gap: S| {
         let (j, l) = ((i + 1) % 3, (i + 2) % 3);

@@ -43,7 +43,7 @@ pub fn circle_search<S: Scalar<Mask = bool>>(points: &[Vec2<S>]) -> Option<(Circ
         hull.swap(k, (state >> 8) as usize % (k + 1));
     }
     let &first = hull.first()?;
-    let slack = S::Primal::lit(1.0 + 8.0 * S::EPSILON);
+    let slack = S::Primal::lit(1.0 + 8.0 * S::format().epsilon());
     let outside = |support: Support, k: usize| {
         let circle = local(support, place);
         let reach = circle.center.squared_distance(place(k));

@@ -93,7 +93,7 @@ where
         // Directions on the way are shorter than one, which lessens a depth.
         let shortest = (P::one() - change * change * P::lit(0.25)).root();
         match bound.below(P::zero()) {
-            true if shortest.at_most(P::zero()) => -P::lit(P::LARGEST),
+            true if shortest.at_most(P::zero()) => P::lowest(),
             true => bound.over(shortest),
             false => bound,
         }
@@ -114,7 +114,7 @@ where
         taken: 0,
     };
     // 2⁻³⁰ and 2⁻¹² of the size: more than the roundings of a gap, little enough for the end of the search.
-    let relative = if P::EPSILON < 1e-10 {
+    let relative = if P::format().epsilon() < 1e-10 {
         1.0 / (1_u64 << 30) as f64
     } else {
         1.0 / 4096.0
@@ -193,7 +193,7 @@ where
                     best = sample;
                 }
             }
-            if (high - low).at_most(P::lit(2.0 * P::EPSILON)) {
+            if (high - low).at_most(P::rounding(2.0, 1)) {
                 break;
             }
             if right.apart.below(left.apart) {

@@ -113,7 +113,7 @@ where
 {
     let Some(Moment { time, at_start }) = found else {
         return Impact3 {
-            time: S::lit(S::LARGEST),
+            time: S::largest(),
             point: Vec3::zero(),
             normal: Vec3::zero(),
             kind: S::zero(),
@@ -124,7 +124,7 @@ where
     if !at_start {
         let rate = S::from_primal(pair.rate(time, &relation).primal());
         let bounds = pair.bounds();
-        let grazes = S::from_primal(bounds.speed.primal()) * S::lit(GRAZING * S::EPSILON);
+        let grazes = S::from_primal(bounds.speed.primal()) * S::rounding(GRAZING, 1);
         if (-rate).above(grazes) {
             // Each step with a constant rate makes derivatives of one more order right.
             for _ in 0..2 {

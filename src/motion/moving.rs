@@ -134,6 +134,6 @@ impl<S: Scalar> Bounds<S> {
     }
     /// Returns the distance that is mostly rounding.
     pub(super) fn rounding(&self) -> S {
-        self.size * S::lit(8.0 * S::EPSILON)
+        self.size * S::rounding(8.0, 1)
     }
 }

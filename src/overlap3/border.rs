@@ -77,7 +77,7 @@ fn glance<S: Scalar>(pair: &Relative3<S>) -> PairBounds<S> {
     let (mut in_a, mut in_b) = (S::one(), S::one());
     let (mut a_inside, mut b_inside) = (zero.at_most(zero), zero.at_most(zero));
     // A face that is touched is a kink whose sides share the derivative; the faces' integrals detect it.
-    let clear = S::lit(1.0 - 32.0 * S::EPSILON);
+    let clear = S::lit(1.0 - 32.0 * S::format().epsilon());
     for i in 0..3 {
         let reach = (steep[i][0] * p[0] + steep[i][1] * p[1]) + steep[i][2] * p[2];
         b_inside = b_inside & (c[i].unsigned() + reach).below(h[i] * clear);

@@ -17,10 +17,10 @@ pub(super) fn fixed<S: Scalar>(mask: S::Mask, x: S) -> S {
 /// Returns the limit below which an entry of the rotation counts as zero: powers of its reciprocal must not overflow.
 #[inline(always)]
 pub(super) fn tiny<S: Scalar>() -> f64 {
-    if S::COMPENSATED {
-        S::PARALLEL
+    if S::format().is_compensated() {
+        S::format().parallel()
     } else {
-        S::PARALLEL * S::PARALLEL
+        S::format().parallel() * S::format().parallel()
     }
 }
 
@@ -137,7 +137,7 @@ const REACHED: f64 = 0.125;
 fn reached<S: Scalar>(pair: &Relative3<S>, rho: &[[S; 3]; 3]) -> [[S; 2]; 3] {
     let (r, c, h, p) = (pair.turn, pair.center, pair.half_a, pair.half_b);
     let mut out = [[-p[0], p[0]], [-p[1], p[1]], [-p[2], p[2]]];
-    if !S::COMPENSATED {
+    if !S::format().is_compensated() {
         return out;
     }
     let limit = [
@@ -149,7 +149,7 @@ fn reached<S: Scalar>(pair: &Relative3<S>, rho: &[[S; 3]; 3]) -> [[S; 2]; 3] {
     for i in 0..3 {
         let steep = [r[i][0].unsigned(), r[i][1].unsigned(), r[i][2].unsigned()];
         let reach = (steep[0] * p[0] + steep[1] * p[1]) + steep[2] * p[2];
-        let rounding = (h[i] + reach + c[i].unsigned()) * S::lit(32.0 * S::EPSILON);
+        let rounding = (h[i] + reach + c[i].unsigned()) * S::rounding(32.0, 1);
         let all = (h[i] + reach) + rounding;
         for m in 0..3 {
             let own = (all - steep[m] * p[m]) * rho[i][m].unsigned();

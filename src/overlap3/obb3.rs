@@ -4,7 +4,6 @@ use super::relate::{Relative3, relate3};
 use super::{score, volume_from_half};
 use crate::arrays::Each;
 use crate::overlap::Denominator;
-use crate::scalar::power_of_largest;
 use crate::shape::Obb3;
 use crate::{Mask, Scalar};
 use std::any::TypeId;
@@ -85,7 +84,7 @@ fn without_curvature<S: Scalar>(pair: &Relative3<S>) -> Relative3<S> {
     };
     let size = large(pair.half_a).most(large(pair.half_b));
     let size = size.most(large(pair.center));
-    let extreme = size.above(S::Primal::lit(power_of_largest::<S>(0.1)));
+    let extreme = size.above(S::Primal::largest_to(0.1));
     let held = |x: S| S::select(extreme, S::from_primal(x.primal()), x);
     Relative3 {
         turn: pair.turn.each_as(|row| row.each_as(held)),
@@ -156,7 +155,7 @@ fn own_volume<S: Scalar>(pair: &Relative3<S>, half: [S; 3]) -> S {
     let [x, y, z] = half;
     let size = x.primal().most(y.primal()).most(z.primal());
     let steep = (pair.scale.primal() * size) * size;
-    let steep = steep.above(S::Primal::lit(S::LARGEST / 4096.0));
+    let steep = steep.above(S::Primal::lit(S::format().largest() / 4096.0));
     let volume = volume_from_half(half);
     S::select(steep, S::from_primal(volume.primal()), volume)
 }

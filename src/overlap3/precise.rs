@@ -89,7 +89,7 @@ pub(super) fn relative<S: Scalar>(
     b: Quaternion<S>,
 ) -> (Quaternion<S>, Option<Quaternion<S>>) {
     let back = conjugate(a);
-    if S::COMPENSATED {
+    if S::format().is_compensated() {
         let ((a_high, a_low), (b_high, b_low)) = (split_all(back), split_all(b));
         let low = sum(product(a_high, b_low), product(a_low, b));
         (product(a_high, b_high), Some(low))
@@ -122,7 +122,7 @@ pub(super) fn matrix<S: Scalar>([w, x, y, z]: Quaternion<S>) -> [[S; 3]; 3] {
 pub(super) fn difference<S: Scalar>(a: S, b: S, scale: S) -> (S, S) {
     let rounded = b - a;
     let mut lost = S::Primal::zero();
-    if S::COMPENSATED {
+    if S::format().is_compensated() {
         lost = twofold::lost(b.primal(), a.primal(), rounded.primal());
     }
     let (x, far) = (rounded * scale, S::lit(FAR));
@@ -170,7 +170,7 @@ fn along<S: Scalar>(column: [HighLow<S>; 3], v: [S; 3], v_parts: [HighLow<S>; 3]
 /// Returns a vector in the frame of a rotation. For a scalar with 24 bits it is right to about 2⁻³⁵ of its length.
 #[inline(always)]
 pub(super) fn into_frame<S: Scalar>(q: Quaternion<S>, v: [S; 3], lost: [S; 3]) -> [S; 3] {
-    if !S::COMPENSATED {
+    if !S::format().is_compensated() {
         let m = matrix(q);
         return [
             (m[0][0] * v[0] + m[1][0] * v[1]) + m[2][0] * v[2],

@@ -80,7 +80,7 @@ pub(crate) fn relate3_in<S: Scalar>(a: Obb3<S>, b: Obb3<S>, scale: S) -> Relativ
     };
     // Nothing but rounding is left of an angle below this one.
     let [w, x, y, z] = turned;
-    let flat = w.unsigned() * S::lit(S::PARALLEL);
+    let flat = w.unsigned() * S::lit(S::format().parallel());
     let (x, y, z) = (levelled(x, flat), levelled(y, flat), levelled(z, flat));
     let half_a = [half_a.x, half_a.y, half_a.z];
     let half_b = renamed.rename([half_b.x, half_b.y, half_b.z]);

@@ -25,7 +25,10 @@ use crate::{Scalar, Vec2};
 fn positive<S: Scalar>(start: S, end: S) -> S {
     let zero = S::zero();
     let part = start.most(zero) + end.most(zero);
-    let (all, empty) = (start.magnitude() + end.magnitude(), S::lit(S::EMPTY));
+    let (all, empty) = (
+        start.magnitude() + end.magnitude(),
+        S::lit(S::format().empty()),
+    );
     // An empty part has the derivative zero: divided by so little, that of a small shape would overflow.
     let (none, some) = (S::Primal::zero(), S::Primal::one());
     let share = part.damp(S::Primal::select(all.at_most(empty), none, some));
@@ -50,7 +53,7 @@ fn in_triangle<S: Scalar>(x: [S; 4], y: [S; 4], all: S) -> S {
         let next = (k + 1) % 4;
         let rise = y[next] - y[k];
         // A rise this small adds nothing for any derivative, and its reciprocal may be infinite.
-        let level = rise.unsigned().at_most(S::lit(TINY * S::EMPTY));
+        let level = rise.unsigned().at_most(S::lit(TINY * S::format().empty()));
         let derivative = (x[next] - x[k]).over(S::select(level, one, rise));
         let (start, end) = (
             x[k] + moved[k] * derivative,
@@ -61,7 +64,7 @@ fn in_triangle<S: Scalar>(x: [S; 4], y: [S; 4], all: S) -> S {
         k += 1;
     }
     // A triangle without an area has no strip.
-    let empty = S::lit(S::EMPTY);
+    let empty = S::lit(S::format().empty());
     let twice = S::select(all.at_most(empty), zero, twice);
     twice.over(all.most(empty)).halved()
 }
@@ -131,7 +134,7 @@ pub(crate) struct QuadPair<S: Scalar> {
     pub scale: S,
 }
 
-/// The multiple of [`Scalar::EMPTY`] that counts as nothing, in units in which the larger quadrilateral has a size of
+/// The multiple of [`Format::empty`](crate::scalar::Format::empty) that counts as nothing, in units in which the larger quadrilateral has a size of
 /// about one.
 pub(crate) const TINY: f64 = 1e6;
 
@@ -213,7 +216,7 @@ fn turn_of<S: Scalar>(q: [Vec2<S>; 4], k: usize) -> S {
         .most(size(q[2]).most(size(q[3])));
     let (side, next) = (q[k] - q[(k + 3) % 4], q[(k + 1) % 4] - q[k]);
     let turn = side.perp_dot(next);
-    let rounding = far * (size(side) + size(next)) * S::lit(8.0 * S::EPSILON);
+    let rounding = far * (size(side) + size(next)) * S::rounding(8.0, 1);
     S::select(turn.unsigned().at_most(rounding), S::zero(), turn)
 }
 
@@ -336,7 +339,7 @@ impl<S: Scalar> QuadPair<S> {
         // If every corner is clear of a's sides, b shares its whole area. The integral over the border of an a of
         // R times its size would give that to R roundings. A nearer corner is a kink, which the integral finds.
         let whole = (first + second).halved();
-        let inside = S::from_primal(inside).above(S::lit(64.0 * S::EPSILON));
+        let inside = S::from_primal(inside).above(S::rounding(64.0, 1));
         let area = S::select(inside, whole, area);
         let limit = own.halved().primal().least(whole.primal());
         let beyond = area.above(S::from_primal(limit));

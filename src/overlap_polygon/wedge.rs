@@ -123,7 +123,7 @@ pub(crate) fn between<S: Scalar>(
 pub(crate) fn shared_twice<S: Scalar>(pair: &Wedge<S>, of_g: S::Mask) -> S {
     let (zero, one) = (S::zero(), S::one());
     // For g both are exchanged. A triangle whose reciprocal may be infinite cannot be the divisor.
-    let of_g = of_g & pair.twice[1].above(S::lit(TINY * S::EMPTY));
+    let of_g = of_g & pair.twice[1].above(S::lit(TINY * S::format().empty()));
     let choose = |by_g: S, by_f: S| S::select(of_g, by_g, by_f);
     let skips = of_g & !pair.first_g | !of_g & pair.first_g;
     let rests = of_g & !pair.last_g | !of_g & pair.last_g;

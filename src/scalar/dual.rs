@@ -54,10 +54,10 @@ pub trait Tangent:
 impl<D: Tangent> Scalar for D {
     type Mask = <D::Inner as Scalar>::Mask;
     type Primal = <D::Inner as Scalar>::Primal;
-    const COMPENSATED: bool = D::Inner::COMPENSATED;
-    const EPSILON: f64 = D::Inner::EPSILON;
-    const PARALLEL: f64 = D::Inner::PARALLEL;
-    const LARGEST: f64 = D::Inner::LARGEST;
+    #[inline(always)]
+    fn format() -> crate::scalar::Format {
+        D::Inner::format()
+    }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn lit(x: f64) -> Self {

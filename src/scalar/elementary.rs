@@ -93,7 +93,7 @@ pub(crate) fn tanh<S: Scalar>(x: S) -> S {
 /// Returns the inverse of the hyperbolic sine.
 pub(crate) fn arcsinh<S: Scalar>(x: S) -> S {
     // Beyond the bound the one under the root does not count.
-    let (size, is_small) = size(x, 1.0 / S::EPSILON);
+    let (size, is_small) = size(x, 1.0 / S::format().epsilon());
     let root = (S::one() + size * size).root();
     let near = ln_1p(size + (size * size).over(S::one() + root));
     let far = size.ln() + S::lit(std::f64::consts::LN_2);
@@ -169,7 +169,7 @@ pub(crate) fn rint<S: Scalar>(x: S) -> S {
 }
 fn nearest<P: Scalar>(x: P) -> P {
     // Numbers from here on are whole; below, sums with it round to whole numbers.
-    let bound = P::lit(1.0 / P::EPSILON);
+    let bound = P::lit(1.0 / P::format().epsilon());
     let shift = bound.signed_as(x);
     P::select(x.unsigned().below(bound), (x + shift) - shift, x)
 }

@@ -5,8 +5,9 @@
 use crate::Scalar;
 use crate::scalar::arc_tangent::{atan2_single, atan2_wide};
 use crate::scalar::exponential::{exp_single, exp_wide, ln_single, ln_wide};
+use crate::scalar::format::Format;
 use crate::scalar::polynomial::{SHIFT, polynomial};
-use crate::scalar::real::{Format, Real};
+use crate::scalar::real::Real;
 
 /// Above this angle the three-part reduction loses digits, and that of fdlibm by all digits of π takes over (`libm`).
 pub(crate) const REDUCED: f64 = 800_000.0;
@@ -156,7 +157,7 @@ pub(crate) const HIGH_OF_SINGLE: u64 = !((1 << 41) - 1);
 
 /// Both formats: the arguments of the macro are their differences.
 macro_rules! float {
-    ($f:ident, $bits:ident, $format:ident, compensated: $compensated:literal, parallel: $parallel:literal,
+    ($f:ident, $bits:ident, $format:ident,
      low_half: $low:literal, mantissa: $mantissa:literal,
      sines: $sin_cos:ident, angle: $atan2:ident, split: $split:expr, exponentials: $exp:ident $ln:ident) => {
         impl Real for $f {
@@ -205,10 +206,10 @@ macro_rules! float {
         impl Scalar for $f {
             type Mask = bool;
             type Primal = Self;
-            const COMPENSATED: bool = $compensated;
-            const EPSILON: f64 = $f::EPSILON as f64;
-            const PARALLEL: f64 = $parallel;
-            const LARGEST: f64 = $f::MAX as f64;
+            #[inline(always)]
+            fn format() -> crate::scalar::Format {
+                crate::scalar::Format::$format
+            }
             #[inline(always)]
             fn lit(x: f64) -> Self {
                 x as $f
@@ -333,7 +334,7 @@ fn atan2_of_single(y: f64, x: f64) -> f64 {
     atan2_single(y, x)
 }
 
-float!(f32, u32, F32, compensated: true, parallel: 2e-10, low_half: 12, mantissa: 23,
+float!(f32, u32, F32, low_half: 12, mantissa: 23,
     sines: sin_cos_single, angle: atan2_of_single, split: split_single, exponentials: exp_single ln_single);
-float!(f64, u64, F64, compensated: false, parallel: 4e-16, low_half: 27, mantissa: 52,
+float!(f64, u64, F64, low_half: 27, mantissa: 52,
     sines: sin_cos_wide, angle: atan2_of_wide, split: f64::parts, exponentials: exp_wide ln_wide);

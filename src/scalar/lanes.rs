@@ -163,10 +163,10 @@ macro_rules! lanes {
         impl<const N: usize> Scalar for Lanes<$f, N> {
             type Mask = LaneMask<$f, N>;
             type Primal = Self;
-            const COMPENSATED: bool = <$f as Scalar>::COMPENSATED;
-            const EPSILON: f64 = <$f as Scalar>::EPSILON;
-            const PARALLEL: f64 = <$f as Scalar>::PARALLEL;
-            const LARGEST: f64 = <$f>::MAX as f64;
+            #[inline(always)]
+            fn format() -> crate::scalar::Format {
+                <$f as Scalar>::format()
+            }
             #[inline(always)]
             fn lit(x: f64) -> Self {
                 Lanes([x as $f; N])

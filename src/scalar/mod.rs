@@ -31,6 +31,7 @@ mod dual_vector;
 pub(crate) mod elementary;
 pub(crate) mod exponential;
 pub(crate) mod float;
+pub(crate) mod format;
 pub(crate) mod guard;
 pub mod jet;
 pub mod lanes;
@@ -40,6 +41,7 @@ mod polynomial;
 pub(crate) mod real;
 mod ties;
 
+pub use format::Format;
 #[doc(hidden)]
 pub use guard::Guard;
 pub(crate) use guard::guarded;
@@ -47,26 +49,24 @@ pub use jet::Jet;
 pub use lanes::Lanes;
 pub use mask::Mask;
 pub use number::Scalar;
-pub use real::{Format, Real};
+pub use real::Real;
 pub(crate) use ties::Span;
 pub use ties::{least_of, most_of};
-
-/// Returns a length that is negligible in a sum with one, 2⁻⁶⁴ in single precision and 2⁻⁵¹² in double precision: no
-/// difference of [ordinary](crate::kernels::op::Limits::ORDINARY) coordinates is so small, but one times the sine of
-/// a small angle is. Quotients by it may have infinite derivatives.
-pub(crate) fn speck<S: Scalar>() -> f64 {
-    power_of_largest::<S>(-0.5)
-}
 
 /// Returns the largest number of the format to a power between −1 and 1, for bounds of sizes; equal on every machine.
 #[inline]
 pub(crate) fn power_of_largest<S: Scalar>(power: f64) -> f64 {
+    S::format().largest_to(power)
+}
+
+/// Returns a format's largest number to a power between −1 and 1.
+pub(crate) fn to_power(largest: f64, epsilon: f64, power: f64) -> f64 {
     // It is 2ⁿ less half a unit in its last place.
-    let n = (S::LARGEST.to_bits() >> 52) as f64 - 1022.0;
+    let n = (largest.to_bits() >> 52) as f64 - 1022.0;
     let whole = (n * power).floor();
     let part = exponential::exp_wide((n * power - whole) * std::f64::consts::LN_2);
     let all = part * <f64 as exponential::Exponents>::power_of_two(whole);
-    all - all * (power * (S::EPSILON / 2.0))
+    all - all * (power * (epsilon / 2.0))
 }
 
 /// Returns the largest of some magnitudes, without derivative.

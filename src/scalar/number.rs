@@ -1,5 +1,6 @@
 //! Numbers, and shapes over them: a number is a shape, and a shape is lifted to other numbers.
 use crate::error::Field;
+use crate::scalar::format::Format;
 use crate::scalar::mask::Mask;
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -48,21 +49,9 @@ pub trait Scalar:
     /// The plain number (or lanes of plain numbers) under all derivative parts.
     type Primal: Scalar<Mask = Self::Mask, Primal = Self::Primal>;
 
-    /// `true` if products carry a low part through cancellation: for 24-bit significands, with which a rotated long
-    /// thin box would otherwise lose its width.
-    const COMPENSATED: bool;
-    /// The distance from 1 to the next larger number.
-    const EPSILON: f64;
-    /// A sine below which two directions count as exactly parallel, such as those of headings that
-    /// differ by π/2 as it is rounded. (With 24 bits a smaller one still matters to a long thin
-    /// box; its reciprocal's powers must not overflow.)
-    const PARALLEL: f64;
-    /// The largest finite number.
-    const LARGEST: f64;
-    /// At or below this an area counts as empty, where a box has a side of about one: its reciprocal,
-    /// sixty-four times over, would not be finite, and derivatives could not cancel.
-    const EMPTY: f64 = 64.0 / Self::LARGEST;
-
+    /// Returns the format of the plain numbers, which knows their epsilon and their largest number. Of a symbol it is
+    /// that of the recording, known when it runs alone.
+    fn format() -> Format;
     /// Returns a literal: `S::lit(0.5)`. Rounded to the precision of the scalar.
     fn lit(x: f64) -> Self;
     /// Returns a constant: no derivative.
@@ -105,6 +94,35 @@ pub trait Scalar:
     #[inline(always)]
     fn zero() -> Self {
         Self::lit(0.0)
+    }
+    /// Returns a power of a multiple of the [`epsilon`](Format::epsilon): a bound of relative errors of roundings.
+    #[inline(always)]
+    fn rounding(factor: f64, power: i32) -> Self {
+        Self::lit((factor * Self::format().epsilon()).powi(power))
+    }
+    /// Returns the largest finite number.
+    #[inline(always)]
+    fn largest() -> Self {
+        Self::lit(Self::format().largest())
+    }
+    /// Returns the largest finite number to a power between −1 and 1, for bounds of sizes.
+    #[doc(hidden)]
+    #[inline]
+    fn largest_to(power: f64) -> Self {
+        Self::lit(Self::format().largest_to(power))
+    }
+    /// Returns a length that is negligible in a sum with one, 2⁻⁶⁴ in single precision and 2⁻⁵¹² in double precision:
+    /// no difference of [ordinary](crate::kernels::op::Limits::ORDINARY) coordinates is so small, but one times the
+    /// sine of a small angle is. Quotients by it may have infinite derivatives.
+    #[doc(hidden)]
+    #[inline]
+    fn speck() -> Self {
+        Self::largest_to(-0.5)
+    }
+    /// Returns the finite number that is farthest below zero.
+    #[inline(always)]
+    fn lowest() -> Self {
+        Self::lit(-Self::format().largest())
     }
     /// Returns one.
     #[inline(always)]
@@ -238,13 +256,13 @@ pub trait Scalar:
     /// quotient is neither infinite nor NaN; nor does a check afterwards keep derivatives finite.
     #[inline(always)]
     fn finite(self) -> Self::Mask {
-        self.unsigned().at_most(Self::lit(Self::LARGEST))
+        self.unsigned().at_most(Self::largest())
     }
     /// Returns the nearest finite number: for results that overflow. Not a guard of a division by zero, for which see
     /// [`finite`](Scalar::finite).
     #[inline(always)]
     fn saturated(self) -> Self {
-        let largest = Self::lit(Self::LARGEST);
+        let largest = Self::largest();
         let low = Self::select(self.above(largest), largest, self);
         Self::select(low.below(-largest), -largest, low)
     }

@@ -1,26 +1,7 @@
-//! The two formats of numbers: `f32` and `f64`.
+//! The two types of plain numbers: `f32` and `f64`.
+use crate::scalar::format::Format;
 use crate::{Pack, Scalar};
 use std::any::Any;
-
-/// A format of numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Format {
-    /// Numbers of 32 bits.
-    F32,
-    /// Numbers of 64 bits.
-    F64,
-}
-
-impl Format {
-    /// Returns the nearest number of the format; infinite beyond the largest one.
-    #[must_use]
-    pub(crate) fn round(self, x: f64) -> f64 {
-        match self {
-            Format::F32 => f64::from(x as f32),
-            Format::F64 => x,
-        }
-    }
-}
 
 /// A result that is one number, `f32` or `f64`: what has a gradient.
 #[diagnostic::on_unimplemented(

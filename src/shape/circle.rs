@@ -104,7 +104,7 @@ pub fn circumcircle<S: Scalar>(a: Vec2<S>, b: Vec2<S>, c: Vec2<S>) -> Circle<S> 
     let (u, v) = (unit_power(b), unit_power(c));
     let zero_b = b.x.equals(S::zero()) & b.y.equals(S::zero());
     let zero_c = c.x.equals(S::zero()) & c.y.equals(S::zero());
-    let large = S::LARGEST;
+    let large = S::format().largest();
     // The zero vector must not choose the unit.
     let scale = S::select(zero_b, S::lit(large), u).least(S::select(zero_c, S::lit(large), v));
     let scale = S::select(zero_b & zero_c, S::one(), scale);
@@ -113,7 +113,7 @@ pub fn circumcircle<S: Scalar>(a: Vec2<S>, b: Vec2<S>, c: Vec2<S>) -> Circle<S> 
     let twice = b.perp_dot(c) * S::lit(2.0);
     // Below this the points are collinear within rounding, and derivatives, which grow with the inverse square, would
     // not be finite.
-    let line = twice.magnitude().at_most(S::lit(S::EPSILON.powi(2)));
+    let line = twice.magnitude().at_most(S::rounding(1.0, 2));
     let twice = S::select(line, S::one(), twice);
     let across = c * bb - b * cc;
     let round = Vec2::new(across.y.over(twice), (-across.x).over(twice));

@@ -219,7 +219,7 @@ impl<S: Scalar> Rotation3<S> {
         let a = Vec3::select(empty(x), ex, unit(x));
         let side = a.cross(unit(y));
         // The sine of an angle that is rounding only.
-        let parallel = side.length().at_most(S::lit(4.0 * S::EPSILON));
+        let parallel = side.length().at_most(S::rounding(4.0, 1));
         // The world's axis that is farthest from the first.
         let (ax, ay, az) = (a.x.magnitude(), a.y.magnitude(), a.z.magnitude());
         let other = Vec3::select(ay.at_most(az), ey, ez);

@@ -59,7 +59,7 @@ impl<S: Scalar> Rules<'_, S> {
         Rules {
             classes: None,
             overlap,
-            score: S::lit(-S::LARGEST),
+            score: S::lowest(),
             most: usize::MAX,
         }
     }
@@ -110,7 +110,7 @@ pub struct Kept<S> {
 }
 
 fn is_finite<S: Scalar<Mask = bool>>(x: S) -> bool {
-    x.magnitude().at_most(S::lit(S::LARGEST))
+    x.magnitude().at_most(S::largest())
 }
 
 pub(crate) fn invalid(name: &'static str, row: usize, flaw: Flaw) -> Error {

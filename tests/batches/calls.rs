@@ -81,7 +81,7 @@ fn all_forms_agree<T: Number>(make: impl Fn(usize, u64) -> Vec<Obb2<T>>) {
         for (bars, sums) in [(&rows_bar, &sums.0), (&b_bar, &sums.1)] {
             for (bar, sum) in bars.iter().zip(sums) {
                 for (x, y) in bar.scalars().iter().zip(sum) {
-                    let close = T::EPSILON * 300.0 * (1.0 + y.abs());
+                    let close = T::format().epsilon() * 300.0 * (1.0 + y.abs());
                     assert!((x.widen() - y).abs() < close * 10.0, "{x:?} {y}");
                 }
             }

@@ -96,7 +96,7 @@ fn every_path_has_the_bits_of_its_function() {
             for (&x, &y) in found.iter().zip(&derivatives[wide..]) {
                 let (x, y): (f64, f64) = (x.into(), y.into());
                 assert!(
-                    (x - y).abs() <= 256.0 * T::EPSILON * size,
+                    (x - y).abs() <= 256.0 * T::format().epsilon() * size,
                     "{name}: {x} {y}"
                 );
             }
@@ -672,7 +672,7 @@ fn recordings_refuse_what_is_not_theirs() {
 
 /// Numbers that are equal but for the last digits of the largest of them, or of one.
 fn near<T: Number>(found: &[T], expected: &[T], what: &str) {
-    within(found, expected, 65536.0 * T::EPSILON, what);
+    within(found, expected, 65536.0 * T::format().epsilon(), what);
 }
 /// The same but for so much of it.
 fn within<T: Number>(found: &[T], expected: &[T], share: f64, what: &str) {

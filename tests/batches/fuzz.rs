@@ -33,14 +33,18 @@ where
     P: Single<Scalar = T>,
     T: Real + Single<Scalar = T>,
 {
-    let largest = T::lit(T::LARGEST);
+    let largest = T::lit(T::format().largest());
     let upstream = [0.0, 1.0, -1.0, 0.25, -0.25, 0.75, -0.75].map(|power: f64| match power {
         0.0 => T::lit(0.0),
-        _ => T::lit(T::LARGEST.powf(power.abs())).signed_as(T::lit(power)),
+        _ => T::lit(T::format().largest().powf(power.abs())).signed_as(T::lit(power)),
     });
     let upstream = [
         &upstream[..],
-        &[T::one(), -largest, T::lit(T::LARGEST.powf(-0.25))],
+        &[
+            T::one(),
+            -largest,
+            T::lit(T::format().largest().powf(-0.25)),
+        ],
     ]
     .concat();
     for &input in inputs {

@@ -164,7 +164,7 @@ pub fn searches() -> Vec<&'static Tested> {
 /// Numbers at the ends of a format, and many between: angles, exponents, subnormal ones.
 pub fn numbers<T: Real>() -> Vec<Vec<T>> {
     let mut draw = Draw::new(5);
-    let largest = T::LARGEST;
+    let largest = T::format().largest();
     let ends = [
         0.0,
         -0.0,

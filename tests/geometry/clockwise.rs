@@ -49,7 +49,7 @@ fn expected(q: [[i32; 2]; 4], p: [i32; 2]) -> f64 {
 }
 
 fn points_in<T: Real + Into<f64>>() {
-    let near = |a: T, b: f64| (a.into() - b).abs() <= 8.0 * T::EPSILON;
+    let near = |a: T, b: f64| (a.into() - b).abs() <= 8.0 * T::format().epsilon();
     for (i, q) in convex().into_iter().enumerate() {
         for k in 0..49 {
             let p = [k % 7 - 2, k / 7 - 2];
@@ -138,7 +138,7 @@ fn areas_in<T: Real + Into<f64>>() {
         ] {
             let found: f64 = intersection_area_quads(corners::<T>(a), corners(b)).into();
             assert!(
-                (found - right).abs() <= 16.0 * T::EPSILON,
+                (found - right).abs() <= 16.0 * T::format().epsilon(),
                 "{a:?} {b:?} {found} {right}"
             );
         }

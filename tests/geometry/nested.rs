@@ -86,7 +86,7 @@ fn only_its_own<X>(measure: f64, small: X, small_bar: X, giant_bar: X, axes: usi
 where
     X: Fixed<Scalar: Scalar + Into<f64>>,
 {
-    let epsilon = X::Scalar::EPSILON;
+    let epsilon = X::Scalar::format().epsilon();
     let (shape, bar) = (numbers(small), numbers(small_bar));
     let sizes = axes..2 * axes;
     let product: f64 = shape[sizes.clone()].iter().product();

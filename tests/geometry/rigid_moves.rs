@@ -48,7 +48,7 @@ fn moves<T: Real + Into<f64>>(lengths: &[f64]) {
                             let right = (turned + by * hypotenuse) as f64 / hypotenuse as f64;
                             let error = (found.into() - right).abs();
                             assert!(
-                                error <= 32.0 * T::EPSILON,
+                                error <= 32.0 * T::format().epsilon(),
                                 "{cos} {sin} times {length}, {from:?}: {found:?} is not {right}"
                             );
                         }

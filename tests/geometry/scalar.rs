@@ -20,7 +20,9 @@ fn values<S: Scalar>() {
     assert!(same(s(5.0).damp(S::Primal::lit(0.25)), 5.0));
     assert!(same(s(5.0).with_primal(S::Primal::lit(2.0)), 2.0));
     assert!(s(1.0).finite().all() && !s(f64::INFINITY).finite().any());
-    assert!(!s(f64::NAN).finite().any() && same(s(f64::INFINITY).saturated(), S::LARGEST));
+    assert!(
+        !s(f64::NAN).finite().any() && same(s(f64::INFINITY).saturated(), S::format().largest())
+    );
     assert!(
         S::select(s(1.0).below(s(2.0)), s(1.0), s(f64::NAN))
             .finite()
@@ -29,13 +31,13 @@ fn values<S: Scalar>() {
     let (high, low) = s(std::f64::consts::PI).parts();
     assert!((high + low).equals(s(std::f64::consts::PI)).all());
     // Huge and tiny lengths neither over- nor underflow.
-    let big = S::LARGEST / 4.0;
+    let big = S::format().largest() / 4.0;
     assert!(s(big).hypot(s(big)).finite().all());
     let small = 1.0 / big;
     assert!(s(small).hypot(s(small)).above(s(small)).all());
     // A quotient that overflows is infinite, not undefined.
     let quotient = s(big).over(s(small));
-    assert!(same(quotient.saturated(), S::LARGEST) && !quotient.finite().any());
+    assert!(same(quotient.saturated(), S::format().largest()) && !quotient.finite().any());
 }
 
 #[test]

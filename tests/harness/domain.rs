@@ -66,7 +66,7 @@ operation! {
 
     /// The same, with a value that is off by more than rounding.
     pub LeftOff = "left_off": (x: S, y: S) -> S {
-        let wrong = if S::COMPENSATED { S::lit(1.0 + 1e-5) } else { S::one() };
+        let wrong = if S::format().is_compensated() { S::lit(1.0 + 1e-5) } else { S::one() };
         (x * x * wrong + y * y) - y * y
     }
     invariances []

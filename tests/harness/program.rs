@@ -65,7 +65,7 @@ functions! {
         let [p, a, b] = <[Vec2<S>; 3]>::load(&x);
         let (d, q) = (b - a, p - a);
         let length = d.dot(d);
-        let point = length.at_most(S::lit(S::EMPTY));
+        let point = length.at_most(S::lit(S::format().empty()));
         let t = d.dot(q).over(S::select(point, S::one(), length));
         let t = S::select(point, S::zero(), t.clamp(S::zero(), S::one()));
         [(q - d * t).length().canonical()]
@@ -255,14 +255,24 @@ fn symbols_of_another_recording_are_refused() {
     assert_eq!(refusal(|x| x.most(kept.get())), foreign);
     let masks = refusal(|x| Sym::select(kept.get().below(kept.get()), x, x + Sym::one()));
     assert_eq!(masks, foreign);
-    // Symbols of another format.
+    // Symbols of another format have no way into a result, nor into an outer recording of their own format.
     assert_eq!(
         refusal(|x| {
             let _ = Sym::<f64>::one();
             x
         }),
-        foreign
+        None
     );
+    let outer = Program::<f64, f64>::trace(|x: Sym<f64>| {
+        let inside = std::cell::Cell::new(x);
+        let inner = refusal(|y| {
+            inside.set(Sym::one());
+            y
+        });
+        assert_eq!(inner, None);
+        x + inside.get()
+    });
+    assert_eq!(outer.err(), foreign.map(Error::Program));
     // Symbols of another thread.
     let elsewhere = refusal(|x| {
         let other = std::thread::scope(|s| s.spawn(|| x + x).join());

@@ -34,7 +34,7 @@ operation! {
 
     /// A step that single precision does not have.
     pub NoStep = "no_step": (x: S) -> S {
-        let height = S::lit(if S::EPSILON > 1e-10 { 0.0 } else { 1.0 });
+        let height = S::lit(if S::format().epsilon() > 1e-10 { 0.0 } else { 1.0 });
         x + S::select(x.above(S::one()), height, S::zero())
     }
     invariances []
@@ -46,7 +46,7 @@ operation! {
     invariances []
     jumps Never
     derivative ByHand |x, bar| {
-        let none = S::lit(if S::EPSILON > 1e-10 { 1.0 } else { -1.0 });
+        let none = S::lit(if S::format().epsilon() > 1e-10 { 1.0 } else { -1.0 });
         let side = S::select(x.equals(S::zero()), none, S::select(x.above(S::zero()), S::one(), -S::one()));
         (x.magnitude(), side * bar)
     }

@@ -81,7 +81,7 @@ pub fn intersection<T: Number>(a: &Polygon<T>, b: &Polygon<T>, grad: bool) -> Pa
     // Contributions of edges add up with a rounding of the smaller one's size: polygons that only touch
     // share nothing.
     let (p, q) = (p.size(), q.size());
-    let rounding = T::lit(16.0 * T::EPSILON) * (p.x * p.y).least(q.x * q.y);
+    let rounding = T::lit(16.0 * T::format().epsilon()) * (p.x * p.y).least(q.x * q.y);
     if sum <= rounding {
         return Part {
             value: zero,

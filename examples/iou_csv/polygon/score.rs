@@ -39,7 +39,7 @@ fn ordinary<T: Number>(
     let inter = intersection(a, b, derivatives.is_some());
     let union = a.area + b.area - inter.value;
     // A polygon without area shares nothing.
-    let empty = T::lit(T::EMPTY);
+    let empty = T::lit(T::format().empty());
     let over = |x: T, y: T| if y > empty { x / y } else { zero };
     let same = is_same(a, b);
     let iou = match same && a.area > empty {

@@ -93,7 +93,7 @@ fn bounds_of<T: Number>(vertices: &[Vec2<T>]) -> Aabb2<T> {
 pub fn unit<T: Number>(bounds: Aabb2<T>) -> T {
     let half = bounds.max * T::lit(0.5) - bounds.min * T::lit(0.5);
     let extent = half.x.most(half.y);
-    let most = T::lit(T::LARGEST.powf(0.2));
+    let most = T::lit(T::format().largest().powf(0.2));
     match extent > T::zero() && (extent > most || extent < T::one() / most) {
         true => extent.binade(),
         false => T::one(),

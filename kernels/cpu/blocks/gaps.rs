@@ -10,7 +10,7 @@ pub(crate) const SPACE: usize = 6;
 /// Returns the part of a distance, and of the largest side of a box, by which lower bounds are too small: more than any
 /// row errs.
 fn share<T: Real>() -> f64 {
-    4.0 * T::EPSILON.sqrt()
+    4.0 * T::format().epsilon().sqrt()
 }
 
 /// Widens boxes by more than a computed distance of shapes inside can be less than the exact one.
@@ -18,10 +18,10 @@ fn share<T: Real>() -> f64 {
 /// Bounds that are not numbers become endless.
 #[inline(always)]
 pub(crate) fn widen<T: Real, V: Vector<T>>(boxes: &mut [Lane<T>]) {
-    let (of_place, of_size) = (V::lit(64.0 * T::EPSILON), V::lit(share::<T>()));
-    let (largest, endless) = (V::lit(T::LARGEST), V::lit(f64::INFINITY));
+    let (of_place, of_size) = (V::lit(64.0 * T::format().epsilon()), V::lit(share::<T>()));
+    let (largest, endless) = (V::lit(T::format().largest()), V::lit(f64::INFINITY));
     // The least normal number, times a power of two.
-    let tiny = V::lit(256.0 / T::LARGEST);
+    let tiny = V::lit(256.0 / T::format().largest());
     for tile in boxes.as_chunks_mut::<SPACE>().0 {
         for at in V::starts() {
             let mut size = V::zero();
@@ -62,7 +62,7 @@ pub(crate) fn gaps<T: Real, V: Vector<T>>(
     );
     let zero = V::zero();
     let shrunk = V::lit(1.0 - share::<T>());
-    let largest = V::lit(T::LARGEST);
+    let largest = V::lit(T::format().largest());
     for (tile, out) in boxes.lanes.as_chunks::<SPACE>().0.iter().zip(out) {
         for at in V::starts() {
             let mut gap = [zero; 3];

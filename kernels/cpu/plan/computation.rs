@@ -222,7 +222,10 @@ impl<'a, T: Real> List<'a, T> {
             let frames = Tiles::new(&list.frames, frame_fields);
             make([Tiles::new(&lanes, fields), frames], &mut bounds);
             // Finite, so that they meet the bounds of shapes but not the infinite ones of padding.
-            let everything = [T::lit(-T::LARGEST), T::lit(T::LARGEST)];
+            let everything = [
+                T::lit(-T::format().largest()),
+                T::lit(T::format().largest()),
+            ];
             let nowhere = [T::lit(f64::INFINITY), T::lit(f64::NEG_INFINITY)];
             for (items, [low, high]) in [
                 (list.rare.clone(), everything),

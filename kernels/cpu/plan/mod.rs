@@ -64,7 +64,7 @@ pub(crate) fn axis_bounds<T: Real>(
             if leaf.codes > 0 {
                 return Ok(None);
             }
-            let bounds = listed(leaf.fields, 0, &leaf.axis_bounds)?;
+            let bounds = listed(T::FORMAT, leaf.fields, 0, &leaf.axis_bounds)?;
             if ![4, 6].contains(&bounds.value.outputs.len()) {
                 return Ok(None);
             }

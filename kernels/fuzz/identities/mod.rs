@@ -225,7 +225,7 @@ impl Identity {
             }
         }
         for (case, largest) in cases.iter_mut().zip(largest) {
-            case.slack = self.sentence.roundings * T::EPSILON * largest;
+            case.slack = self.sentence.roundings * T::format().epsilon() * largest;
         }
         let mut all = cases.iter().zip(&answers);
         all.position(|(case, answers)| {

@@ -115,7 +115,7 @@ impl ArgumentRanges {
             }
             // A few roundings off the grid, or thin.
             1 => {
-                let by = T::EPSILON * draw.magnitude(0.5, 64.0);
+                let by = T::format().epsilon() * draw.magnitude(0.5, 64.0);
                 for (x, kind) in x.iter_mut().zip(&self.kinds) {
                     if kind.is_place() && draw.once_in(2) {
                         *x += by * (draw.below(3) as f64 - 1.0);

@@ -127,11 +127,11 @@ pub(super) fn policy() -> String {
     }
     for (name, value) in [
         ("LARGEST", f32::MAX),
-        ("EMPTY", <f32 as Scalar>::EMPTY as f32),
+        ("EMPTY", <f32 as Scalar>::format().empty() as f32),
         ("SMALLEST_NORMAL", f32::MIN_POSITIVE),
         ("FAR", FAR as f32),
         ("LARGEST_INVERSE", LARGEST_INVERSE as f32),
-        ("PARALLEL", <f32 as Scalar>::PARALLEL as f32),
+        ("PARALLEL", <f32 as Scalar>::format().parallel() as f32),
     ] {
         let _ = writeln!(text, "const {name}: f32 = {};", literal(value));
     }

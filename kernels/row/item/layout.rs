@@ -1,6 +1,6 @@
 //! Layouts of items, and the memory for their results.
 use super::memory;
-use crate::ad::program::Sym;
+use crate::ad::program::Neutral;
 use crate::error::{Field, Flaw, Validate};
 use crate::overlap_polygon::check_quad;
 use crate::shape::{Obb3, YawBox3};
@@ -26,7 +26,7 @@ pub struct Leaf<T> {
     /// The rules of its numbers, as far as they are data ([`Validate::RULES`]).
     pub rules: &'static [Rule],
     /// The bounds along the axes, from the scalars: [`Fixed::axis_bounds`].
-    pub(crate) axis_bounds: fn(&[Sym<T>]) -> Vec<Sym<T>>,
+    pub(crate) axis_bounds: fn(&[Neutral]) -> Vec<Neutral>,
 }
 
 /// A quick test of many numbers, which accepts only valid shapes, and perhaps not all of them.
@@ -295,7 +295,7 @@ pub fn leaf<P: Item + Validate>() -> Leaf<P::Scalar> {
         check: |numbers| get::<P>(numbers).validate(),
         quick: quick_of::<P>(),
         rules: P::RULES,
-        axis_bounds: |numbers| P::Of::<Sym<P::Scalar>>::load(numbers).axis_bounds(),
+        axis_bounds: |numbers| P::Of::<Neutral>::load(numbers).axis_bounds(),
     }
 }
 

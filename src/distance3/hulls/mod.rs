@@ -164,7 +164,7 @@ where
     let (m, n) = (a.count_of_corners(&of_a), b.count_of_corners(&of_b));
     let (a, b) = (&of_a.as_ref()[..m], &of_b.as_ref()[..n]);
     let record = match (numbers(a), numbers(b)) {
-        (Some(a), Some(b)) => hull_search::search(a, b, S::EPSILON),
+        (Some(a), Some(b)) => hull_search::search(a, b, S::format().epsilon()),
         _ => HullRecord::new(&[], false),
     };
     noted::<S::Primal>(&record);

@@ -92,7 +92,7 @@ impl<P: Scalar> Deepest<P> {
         let most = |x: [P; 3]| larger(larger(x[0], x[1]), x[2]);
         let faces = larger(most(gaps.a), most(gaps.b));
         let edges = most(gaps.edges.each_as(most));
-        let by_edges = edges.above(faces + P::lit(MORE * P::EPSILON));
+        let by_edges = edges.above(faces + P::rounding(MORE, 1));
         let face = |x: P| x.equals(faces) & !by_edges;
         Deepest {
             value: larger(faces, edges),
@@ -128,8 +128,8 @@ pub(super) fn decide<P: Scalar<Primal = P>>(seen: &RelativeBox<P>, gaps: &Gaps<P
     let least = all.fold(corners, |least, edges| smaller(least, edges.square));
     let deep = Deepest::new(gaps);
     // Flat boxes can cross without any candidate: they meet if all gaps are within rounding.
-    let touch = least.at_most(P::lit((TOUCH * P::EPSILON).powi(2)));
-    let inside = deep.value.at_most(P::lit(BESIDE * P::EPSILON)) | touch;
+    let touch = least.at_most(P::rounding(TOUCH, 2));
+    let inside = deep.value.at_most(P::rounding(BESIDE, 1)) | touch;
 
     // Corners that are nearest, and the points that they are nearest to.
     let ((y_b, count_b), (x_a, count_a)) = (of_b.tied(least), of_a.tied(least));
@@ -144,7 +144,7 @@ pub(super) fn decide<P: Scalar<Primal = P>>(seen: &RelativeBox<P>, gaps: &Gaps<P
     let total = P::select(total.equals(zero), one, total);
     let corner_y = [0, 1, 2].each_as(|j| (y_b[j] * count_b + y_a[j] * count_a).over(total));
     let at_b = [0, 1, 2].each_as(|k| c[k] + dot(r[k], [0, 1, 2].each_as(|j| h[j] * corner_y[j])));
-    let beyond = |at: P, half: P| at.unsigned().above(half + P::lit(BESIDE * P::EPSILON));
+    let beyond = |at: P, half: P| at.unsigned().above(half + P::rounding(BESIDE, 1));
     let keep = |at: [P; 3], half: [P; 3]| [0, 1, 2].each_as(|k| weight(beyond(at[k], half[k])));
     let (keep_a, keep_b) = (keep(at_b, *g), keep(at_a, *h));
 
@@ -218,7 +218,7 @@ pub(super) fn decide<P: Scalar<Primal = P>>(seen: &RelativeBox<P>, gaps: &Gaps<P
         other: pick(is_a, *h, *g),
         nearest: pick(inside, lowest, pick(is_a, y, x)),
     };
-    let slack = P::select(inside, P::lit(BESIDE * P::EPSILON), zero);
+    let slack = P::select(inside, P::rounding(BESIDE, 1), zero);
     let middle = facing.middle(side, slack);
     let use_middle = (is_a | is_b) & (inside | middle.parallel);
     let own_parts = [

@@ -74,7 +74,7 @@ impl<P: Scalar> Facing<P> {
         let [u, v] = sides.each_as(|arm| [arm[1], arm[2]]);
         let rise = sides.each_as(|arm| side * arm[0]);
         let half = self.half;
-        let most = P::lit(P::LARGEST);
+        let most = P::largest();
         let outside = |x: P, half: P| larger(x.unsigned() - half, zero);
         let signs = [one, -one];
         // Sides of length zero are replaced by such as are across the other one.

@@ -127,7 +127,7 @@ pub(super) struct Edges<P: Scalar> {
 /// nearer. A rotation too small to count then decides for all pairs of edges alike.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn turned<P: Scalar>(r: &[[P; 3]; 3]) -> [[P; 3]; 3] {
-    let turn = [0.73, 0.41, 0.97].each_as(|part| P::lit(part * P::EPSILON.powi(2)));
+    let turn = [0.73, 0.41, 0.97].each_as(|part| P::lit(part * P::format().epsilon().powi(2)));
     [0, 1, 2].each_as(|i| {
         let [k, l] = NEXT[i];
         [0, 1, 2].each_as(|j| {
@@ -157,7 +157,7 @@ impl<P: Scalar> Edges<P> {
             let size = plus.unsigned() + minus.unsigned();
             let rest = plus - minus;
             P::select(
-                rest.unsigned().at_most(size * P::lit(8.0 * P::EPSILON)),
+                rest.unsigned().at_most(size * P::rounding(8.0, 1)),
                 own,
                 rest,
             )
@@ -187,8 +187,8 @@ impl<P: Scalar> Edges<P> {
             all
         };
         Edges {
-            square: P::select(within, length, P::lit(P::LARGEST)),
-            clear: square.above(P::lit(P::EPSILON)),
+            square: P::select(within, length, P::largest()),
+            clear: square.above(P::rounding(1.0, 1)),
             x: place((i, part(s, g[i])), [(k, xk), (l, xl)]),
             y: place((j, part(t, h[j])), [(m, ym), (p, yp)]),
             side,

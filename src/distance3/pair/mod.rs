@@ -16,7 +16,7 @@ use super::relation::{Relation, direction};
 use super::spot::vanish;
 use crate::arrays::Each;
 use crate::distance::edge::scale_of;
-use crate::scalar::{most_of, speck};
+use crate::scalar::most_of;
 use crate::{Scalar, Vec3};
 use decide::{Choice, decide};
 use seen::{Gaps, RelativeBox, column, dot, gaps_primal, least_square, sign_or_none};
@@ -70,7 +70,7 @@ fn seen<S: Scalar>(a: &BoxCore<S>, b: &BoxCore<S>) -> (RelativeBox<S>, S) {
         let (u, v) = (a.axes[i], b.axes[j]);
         let sine = u.dot(if i == j { v } else { v - a.axes[j] });
         // The rest of half a turn is rounding, which sums absorb and signs do not.
-        let none = sine.unsigned().below(S::lit(S::PARALLEL));
+        let none = sine.unsigned().below(S::lit(S::format().parallel()));
         S::select(none, sine.with_primal(S::Primal::zero()), sine)
     };
     let seen = RelativeBox {
@@ -133,7 +133,7 @@ pub(super) fn relate<S: Scalar>(a: BoxCore<S>, b: BoxCore<S>) -> Relation<S> {
     // Duals of a tiny length pass through numbers beyond the largest one.
     let straight = apart.dot(way.constant());
     let straight = straight.with_primal(length.primal());
-    let length = S::select(length.at_most(S::lit(speck::<S>())), straight, length);
+    let length = S::select(length.at_most(S::speck()), straight, length);
     let deepest = seen.deepest(&gaps, &choice);
     let gap = S::select(choice.inside, deepest, length);
     let overlap = choice.inside & deepest.below(zero);

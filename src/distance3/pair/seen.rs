@@ -58,7 +58,7 @@ pub(super) fn column<S: Scalar>(r: &[[S; 3]; 3], j: usize) -> [S; 3] {
 /// Returns the square of a product of axes below which they count as parallel, in which the boxes have a size of one.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn least_square<S: Scalar>() -> S {
-    S::lit(S::EPSILON.powi(4))
+    S::rounding(1.0, 4)
 }
 
 impl<S: Scalar> RelativeBox<S> {
@@ -89,7 +89,7 @@ impl<S: Scalar> RelativeBox<S> {
             let reach_a = size[l][j] * g[k] + size[k][j] * g[l];
             let reach = reach_a + (across(m) * h[m] + across(p) * h[p]);
             let length = S::select(none, S::one(), square).root();
-            S::select(none, -S::lit(S::LARGEST), (center - reach).over(length))
+            S::select(none, S::lowest(), (center - reach).over(length))
         };
         Gaps {
             a: [0, 1, 2].each_as(|l| (c[l].magnitude() - g[l]) - dot(size[l], *h)),

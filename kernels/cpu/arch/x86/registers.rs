@@ -178,10 +178,10 @@ macro_rules! vector {
         impl Scalar for $name {
             type Mask = $mask;
             type Primal = Self;
-            const COMPENSATED: bool = <$t as Scalar>::COMPENSATED;
-            const EPSILON: f64 = <$t as Scalar>::EPSILON;
-            const PARALLEL: f64 = <$t as Scalar>::PARALLEL;
-            const LARGEST: f64 = <$t as Scalar>::LARGEST;
+            #[inline(always)]
+            fn format() -> crate::scalar::Format {
+                <$t as Scalar>::format()
+            }
             #[inline(always)]
             fn lit(x: f64) -> Self {
                 Self::splat(x as $t)
