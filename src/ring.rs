@@ -369,6 +369,8 @@ pub(crate) fn centroid_of<S: Scalar>(ring: impl Vertices<S>) -> Measured<S> {
 pub enum Measure {
     /// [`signed_area`].
     SignedArea,
+    /// The magnitude of the [`signed_area`].
+    Area,
     /// [`perimeter`].
     Perimeter,
     /// [`centroid`].
@@ -380,7 +382,7 @@ impl Measure {
     #[must_use]
     pub const fn fields(self) -> usize {
         match self {
-            Measure::SignedArea | Measure::Perimeter => 1,
+            Measure::SignedArea | Measure::Area | Measure::Perimeter => 1,
             Measure::Centroid => 2,
         }
     }
@@ -389,6 +391,7 @@ impl Measure {
     pub fn write<S: Scalar>(self, ring: &[Vec2<S>], out: &mut [S]) {
         match self {
             Measure::SignedArea => out[0] = signed_area(ring),
+            Measure::Area => out[0] = signed_area(ring).magnitude(),
             Measure::Perimeter => out[0] = perimeter(ring),
             Measure::Centroid => {
                 let center = centroid(ring);

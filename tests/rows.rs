@@ -194,6 +194,7 @@ folds! {
     LengthOfPolyline = Length Polyline;
     SecondMomentsOfRing = SecondMoments Ring;
     SignedAreaOfRing = SignedArea Ring;
+    AreaOfRing = Area Ring;
     PerimeterOfRing = Perimeter Ring;
     CentroidOfRing = Centroid Ring;
     DistancePointPolyline3 = Distance Polyline3;
@@ -255,6 +256,7 @@ pub mod overlap3 {
 }
 pub mod ring {
     pub use super::{
-        CentroidOfRing as Centroid, PerimeterOfRing as Perimeter, SignedAreaOfRing as SignedArea,
+        AreaOfRing as Area, CentroidOfRing as Centroid, PerimeterOfRing as Perimeter,
+        SignedAreaOfRing as SignedArea,
     };
 }

@@ -1,5 +1,5 @@
 //! Adjoints of the measures of a ring: one cotangent per vertex, written into the caller's slice.
-use crate::ring::{Local, Measure, SIDE};
+use crate::ring::{Local, Measure, SIDE, signed_area};
 use crate::{Mask, Scalar, Vec2};
 
 /// Returns a vertex's derivatives at the nearest finite numbers.
@@ -171,6 +171,11 @@ pub fn measure_vjp<S: Scalar>(
 ) {
     match measure {
         Measure::SignedArea => signed_area_vjp(ring, out_bar[0], ring_bar),
+        Measure::Area => {
+            let (area, zero) = (signed_area(ring), S::zero());
+            let turned = S::select(area.equals(zero), zero, out_bar[0].signed_as(area));
+            signed_area_vjp(ring, turned, ring_bar);
+        }
         Measure::Perimeter => perimeter_vjp(ring, out_bar[0], ring_bar),
         Measure::Centroid => centroid_vjp(ring, Vec2::new(out_bar[0], out_bar[1]), ring_bar),
     }

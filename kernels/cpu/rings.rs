@@ -202,6 +202,11 @@ fn side_by_side<T: Real, V: Vector<T>>(
             area.write(&mut room, 0);
             out[..V::WIDTH].copy_from_slice(&room.0[..V::WIDTH]);
         }
+        Measure::Area => {
+            let area: V = ring::signed_area_of(side);
+            area.magnitude().write(&mut room, 0);
+            out[..V::WIDTH].copy_from_slice(&room.0[..V::WIDTH]);
+        }
         Measure::Perimeter => {
             let perimeter: V = ring::perimeter_of(side);
             perimeter.write(&mut room, 0);

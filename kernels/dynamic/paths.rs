@@ -9,10 +9,11 @@ use crate::kernels::machine::Here;
 use crate::kernels::machine::{Column, Columns};
 use crate::kernels::row::fold::Fold;
 use crate::kernels::row::item::counts::expect;
-use crate::kernels::row::item::memory::lent_mut;
+use crate::kernels::row::item::memory::seen_as;
 use crate::kernels::row::item::rows::numbers;
 use crate::kernels::row::item::{Item, Leaf};
 use crate::{Fixed, Real};
+use std::borrow::Cow;
 use std::marker::PhantomData;
 
 /// The derivatives by the numbers of contexts and of vertices.
@@ -78,25 +79,14 @@ impl<R: Item> Columns for Contexts<'_, R> {
 }
 
 /// Returns shapes from their numbers.
-pub(super) fn loaded<P: Fixed>(numbers: &[P::Scalar]) -> Vec<P>
+pub(super) fn loaded<P: Fixed>(numbers: &[P::Scalar]) -> Cow<'_, [P]>
 where
     P::Scalar: 'static,
 {
-    let Some(&any) = numbers.first() else {
-        return Vec::new();
-    };
-    let mut shapes = vec![P::filled(any); numbers.len() / P::LEN.max(1)];
-    match lent_mut(&mut shapes) {
-        // One copy of all is faster than one of each shape.
-        Some(own) => own.copy_from_slice(&numbers[..own.len()]),
-        None => {
-            let all = numbers.chunks_exact(P::LEN.max(1));
-            for (shape, own) in shapes.iter_mut().zip(all) {
-                *shape = P::load(own);
-            }
-        }
+    match seen_as(numbers) {
+        Some(shapes) => Cow::Borrowed(shapes),
+        None => numbers.chunks_exact(P::LEN.max(1)).map(P::load).collect(),
     }
-    shapes
 }
 
 /// Builds an untyped fold in a format; `$machine` maps a backend to the machine.

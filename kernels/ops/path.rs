@@ -50,41 +50,6 @@ impl Fold for SecondMomentsOfRing {
     }
 }
 
-/// The area of a ring, as often as it winds around each region, whichever way it turns: the magnitude of its
-/// [signed area](crate::ring::signed_area). Derivative zero at area zero.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct AreaOfRing;
-
-impl Declares for AreaOfRing {
-    const DECLARED: Declared = Declared::new("area_of_ring", invariances!([rigid(2)] Vec2<f64>), Jumps::Never)
-        .doc("The area of a ring, whichever way it turns: the magnitude of its signed area.");
-}
-
-impl Fold for AreaOfRing {
-    const CLOSED: bool = true;
-    type Element<S: Scalar> = Vec2<S>;
-    type Context<S: Scalar> = [S; 0];
-    type Reference<S: Scalar> = Reference<S>;
-    type State<S: Scalar> = S;
-    type Out<S: Scalar> = S;
-    fn reference<S: Scalar>(_: [S; 0], ring: &[Vec2<S>]) -> Reference<S> {
-        Reference::of_ring(ring)
-    }
-    fn empty<S: Scalar>() -> S {
-        S::zero()
-    }
-    fn edge<S: Scalar>(_: [S; 0], seen: Reference<S>, from: Vec2<S>, to: Vec2<S>) -> S {
-        seen.place(from).perp_dot(seen.place(to))
-    }
-    fn join<S: Scalar>(one: S, other: S) -> S {
-        one + other
-    }
-    fn finish<S: Scalar>(_: [S; 0], seen: Reference<S>, twice: S) -> S {
-        let area = seen.outer(seen.outer(twice.halved()));
-        area.magnitude().saturated().canonical()
-    }
-}
-
 /// The length of a polyline: the sum of the distances of neighbouring vertices. Derivative zero at edges of
 /// length zero.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -237,6 +202,5 @@ folds! {
     Depth, Ring over_ring by DepthPointRing;
     Winding, Ring over_ring by WindingOfRing;
     Length, Polyline over_polyline by LengthOfPolyline;
-    verbs::Area, Ring over_ring by AreaOfRing;
     verbs::SecondMoments, Ring over_ring by SecondMomentsOfRing;
 }

@@ -5,7 +5,7 @@ use crate::kernels::ops::class::invariances;
 use crate::kernels::ops::path::folds;
 use crate::kernels::ops::tables::listed;
 use crate::kernels::ops::walk::Written;
-use crate::kernels::verbs::{Centroid, Perimeter, SignedArea};
+use crate::kernels::verbs::{Area, Centroid, Perimeter, SignedArea};
 use crate::reference::Reference;
 use crate::ring::Measure;
 use crate::{Fixed, Scalar, Vec2};
@@ -73,6 +73,14 @@ measures! {
         state [S; 1],
         edge |from, to| [from.perp_dot(to)],
         finish |seen, [twice]| seen.outer(seen.outer(twice.halved())).saturated().canonical();
+    /// The area of a ring, whichever way it turns: the magnitude of its signed area, as often as it winds around each
+    /// region. Derivative zero at area zero.
+    AreaOfRing = "area_of_ring", Area: S, [rigid(2)], jumps Never, range NOT_NEGATIVE;
+        state [S; 1],
+        edge |from, to| [from.perp_dot(to)],
+        finish |seen, [twice]| {
+            seen.outer(seen.outer(twice.halved())).magnitude().saturated().canonical()
+        };
     /// The perimeter of a ring.
     PerimeterOfRing = "perimeter", Perimeter: S, [rigid(1)], jumps Never, range NOT_NEGATIVE;
         state [S; 1],
@@ -97,6 +105,7 @@ measures! {
 }
 folds! {
     SignedArea, Ring over_ring by SignedAreaOfRing;
+    Area, Ring over_ring by AreaOfRing;
     Perimeter, Ring over_ring by PerimeterOfRing;
     Centroid, Ring over_ring by CentroidOfRing;
 }

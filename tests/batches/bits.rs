@@ -508,6 +508,7 @@ fn of_rings() {
         alone::<F, f64>();
     }
     of::<ring::SignedArea>();
+    of::<ring::Area>();
     of::<ring::Perimeter>();
     of::<ring::Centroid>();
 }

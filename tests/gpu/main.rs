@@ -26,7 +26,7 @@ use geograd_tests::calls::OfRings;
 use geograd_tests::forms::agree;
 use geograd_tests::list;
 use geograd_tests::rows::overlap;
-use geograd_tests::rows::ring::{Centroid, Perimeter, SignedArea};
+use geograd_tests::rows::ring::{Area, Centroid, Perimeter, SignedArea};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// One context for all tests, one test at a time: drivers in software use all cores anyway.
@@ -120,6 +120,7 @@ fn measures_of_rings() {
         rings::long_rings::<O>();
     }
     of::<SignedArea>();
+    of::<Area>();
     of::<Perimeter>();
     of::<Centroid>();
 }

@@ -41,6 +41,7 @@ pub(super) const ROW: usize = 32_768;
 const fn mirror_of(measure: Measure) -> (bool, bool, &'static str) {
     match measure {
         Measure::SignedArea => (false, false, include_str!("../wgsl/signed_area.wgsl")),
+        Measure::Area => (false, false, include_str!("../wgsl/area.wgsl")),
         Measure::Perimeter => (false, true, include_str!("../wgsl/perimeter.wgsl")),
         Measure::Centroid => (true, false, include_str!("../wgsl/centroid.wgsl")),
     }

@@ -50,6 +50,18 @@ where
         .then(|| unsafe { slice::from_raw_parts(shapes.as_ptr().cast(), shapes.len() * P::LEN) })
 }
 
+/// Returns numbers as shapes, without those that make no whole shape; `None` for shapes that [`is_plain`] rejects.
+#[inline]
+pub fn seen_as<P: Fixed>(numbers: &[P::Scalar]) -> Option<&[P]>
+where
+    P::Scalar: 'static,
+{
+    // Sound for the reason above, with the alignment that `is_plain` compares, and since any numbers are valid.
+    is_plain::<P>().then(|| unsafe {
+        slice::from_raw_parts(numbers.as_ptr().cast(), numbers.len() / P::LEN.max(1))
+    })
+}
+
 /// Returns the numbers of shapes for writing; `None` for shapes that [`is_plain`] rejects.
 #[inline]
 pub fn lent_mut<P: Fixed>(shapes: &mut [P]) -> Option<&mut [P::Scalar]>
