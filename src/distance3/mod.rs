@@ -99,6 +99,7 @@ pub(crate) mod deep;
 mod endless;
 mod facing;
 pub(crate) mod formula;
+mod gjk;
 pub(crate) mod half_space;
 pub mod hulls;
 mod inherent;

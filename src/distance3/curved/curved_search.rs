@@ -6,8 +6,8 @@
 //! the gap of the supports along the normal bounds the signed distance from below, two points of the solids bound the
 //! distance from above, and the difference is stated. Of solids that overlap it proves a direction to be one of the best
 //! near it; the expansion bounds how much better another could be.
+use super::super::gjk::{Gap, PointDifference, gap};
 use super::expand::exits;
-use super::gap::gap;
 use super::level::shared;
 use super::piece::{PieceKind, Place};
 use super::solid_pair::{Found, Solids};
@@ -30,6 +30,12 @@ const PAIRS: usize = 24;
 const PARTINGS: usize = 4;
 
 impl Solids<'_> {
+    /// Returns the nearest points of a and b, moved, by a first vector that is not zero.
+    fn nearest(&self, first: Vec3<f64>, by: Vec3<f64>) -> Gap<PointDifference> {
+        let start = self.lowest(first, by);
+        let least = first.dot(start.way) / first.length();
+        gap(|way| self.lowest(way, by), start, least)
+    }
     /// Returns the pieces of both that may touch near two points, likely ones first.
     fn near(&self, normal: Vec3<f64>, on_a: Vec3<f64>, on_b: Vec3<f64>) -> [Vec<Candidate>; 2] {
         let out = normal * self.side;
@@ -232,7 +238,7 @@ impl Solids<'_> {
         let (mut on_a, mut on_b) = (self.a.support(first), self.b.support(-first));
         for round in 0..PARTINGS {
             let by = normal * (0.1 * self.size - value);
-            let near = gap(&|way| self.lowest(way, by), normal);
+            let near = self.nearest(normal, by);
             let length = near.way.length();
             if length == 0.0 || near.inside {
                 break;
@@ -242,7 +248,8 @@ impl Solids<'_> {
             if better < value - EXACT * self.size {
                 break;
             }
-            (normal, on_a, on_b) = (next, near.on_a, near.on_b - by);
+            let points = near.points();
+            (normal, on_a, on_b) = (next, points[0], points[1] - by);
             let gain = better - value;
             value = better;
             if round > 0 && gain <= 1e-9 * self.size {
@@ -276,17 +283,14 @@ pub fn search(a: &dyn Supported, b: &dyn Supported) -> Option<Found> {
         true => way,
         false => Vec3::new(0.0, 0.0, 1.0),
     };
-    let near = gap(&|way| solids.lowest(way, Vec3::zero()), first);
+    let near = solids.nearest(first, Vec3::zero());
     let length = near.way.length();
     let mut best = None;
     if !near.inside && length > GOOD * size {
         let normal = near.way * (1.0 / length);
-        self::Solids::take(
-            &solids,
-            &mut best,
-            solids.plain(normal, near.on_a, near.on_b),
-        );
-        let polished = solids.polish(normal, near.on_a, near.on_b);
+        let [on_a, on_b] = near.points();
+        solids.take(&mut best, solids.plain(normal, on_a, on_b));
+        let polished = solids.polish(normal, on_a, on_b);
         let exact = polished
             .as_ref()
             .is_some_and(|found| found.error <= EXACT * size);

@@ -1,6 +1,6 @@
 //! Directions in which two solids that overlap part after a short way: a polytope of supports is expanded where it is
 //! the nearest to the origin (van den Bergen 2001), coarsely.
-use super::gap::Difference;
+use super::super::gjk::PointDifference;
 use super::touch::tangents;
 use crate::Vec3;
 
@@ -30,12 +30,12 @@ const OTHERS: usize = 6;
 
 /// Lowest points, of which the best direction is kept.
 struct Probe<'a> {
-    lowest: &'a dyn Fn(Vec3<f64>) -> Difference,
+    lowest: &'a dyn Fn(Vec3<f64>) -> PointDifference,
     best: Exit,
 }
 
 impl Probe<'_> {
-    fn low(&mut self, normal: Vec3<f64>) -> Difference {
+    fn low(&mut self, normal: Vec3<f64>) -> PointDifference {
         let found = (self.lowest)(normal);
         let length = normal.length();
         let depth = -normal.dot(found.way) / length;
@@ -50,7 +50,7 @@ impl Probe<'_> {
 }
 
 /// Returns the face through three corners, which are counter-clockwise seen from outside.
-fn face(all: &[Difference], corners: [usize; 3]) -> Face {
+fn face(all: &[PointDifference], corners: [usize; 3]) -> Face {
     let [p, q, r] = corners.map(|k| all[k].way);
     let normal = (q - p).cross(r - p);
     let length = normal.length();
@@ -72,7 +72,7 @@ fn face(all: &[Difference], corners: [usize; 3]) -> Face {
 
 /// Returns four corners that span a fat tetrahedron, which need not contain the origin, with the last below the plane of
 /// the others, and its size; `None` if all points are in a plane within rounding.
-fn fat(probe: &mut Probe<'_>) -> Option<(Vec<Difference>, f64)> {
+fn fat(probe: &mut Probe<'_>) -> Option<(Vec<PointDifference>, f64)> {
     let axes = [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)];
     let (mut all, mut far, mut size) = (Vec::new(), Vec3::zero(), 0.0);
     for (x, y, z) in axes {
@@ -104,7 +104,7 @@ fn fat(probe: &mut Probe<'_>) -> Option<(Vec<Difference>, f64)> {
         return None;
     }
     let normal = normal * (1.0 / length);
-    let height = |found: &Difference| normal.dot(found.way - all[0].way);
+    let height = |found: &PointDifference| normal.dot(found.way - all[0].way);
     let both = [probe.low(normal), probe.low(-normal)];
     let [low, high] = [height(&both[0]), height(&both[1])];
     if low.abs().max(high.abs()) <= FLAT * size {
@@ -125,7 +125,7 @@ fn fat(probe: &mut Probe<'_>) -> Option<(Vec<Difference>, f64)> {
 /// Returns the faces that a new corner sees, connected to one of them.
 fn seen(
     faces: &[Face],
-    all: &[Difference],
+    all: &[PointDifference],
     first: usize,
     corner: Vec3<f64>,
     slack: f64,
@@ -156,7 +156,7 @@ fn edges([i, j, k]: [usize; 3]) -> [[usize; 2]; 3] {
 
 /// Returns directions along which two solids part, the best first, given the point of b less a that is the lowest along
 /// a vector.
-pub fn exits(lowest: &dyn Fn(Vec3<f64>) -> Difference) -> Vec<Exit> {
+pub fn exits(lowest: &dyn Fn(Vec3<f64>) -> PointDifference) -> Vec<Exit> {
     let best = Exit {
         normal: Vec3::new(0.0, 0.0, 1.0),
         depth: f64::INFINITY,

@@ -21,7 +21,7 @@ fn level(solid: &dyn Supported, normal: Vec3<f64>, slack: f64) -> Option<usize> 
             PieceKind::Line | PieceKind::Side => 1,
             _ => continue,
         };
-        let place = start(&piece, solid.middle_of(&piece), normal, true);
+        let place = start(&piece, solid.middle_of(k, &piece), normal, true);
         let rise = match piece.kind {
             PieceKind::Face => {
                 let rise = |k: usize| (normal.dot(piece.ways[k]) * piece.sizes[k]).abs();
@@ -56,10 +56,12 @@ pub fn shared(solids: &Solids<'_>, found: Found) -> Found {
     let way = normal * found.value;
     let on_a = |at: Vec3<f64>| a.clamped(i, &start(&of_a, at, normal, true));
     let on_b = |at: Vec3<f64>| b.clamped(j, &start(&of_b, at + way, -normal, true));
-    let middle = |solid: &dyn Supported, piece: &Piece<f64>, normal: Vec3<f64>| {
-        piece.at(&start(piece, solid.middle_of(piece), normal, true))
+    let middle = |solid: &dyn Supported, k: usize, piece: &Piece<f64>, normal: Vec3<f64>| {
+        piece.at(&start(piece, solid.middle_of(k, piece), normal, true))
     };
-    let mut at = (middle(a, &of_a, normal) + middle(b, &of_b, -normal) - way) * 0.5;
+    let middle_a = middle(a, i, &of_a, normal);
+    let middle_b = middle(b, j, &of_b, -normal) - way;
+    let mut at = (middle_a + middle_b) * 0.5;
     for _ in 0..STEPS {
         let next = (of_a.at(&on_a(at)) + of_b.at(&on_b(at)) - way) * 0.5;
         let step = (next - at).length();
@@ -72,7 +74,7 @@ pub fn shared(solids: &Solids<'_>, found: Found) -> Found {
         let (p, q) = (of_a.at(&on_a(at)), of_b.at(&on_b(at)) - way);
         (p - at).length().max((q - at).length())
     };
-    let between = middle(b, &of_b, -normal) - way - middle(a, &of_a, normal);
+    let between = middle_b - middle_a;
     let length = between.length();
     let common = off(at).max(slack);
     if length > slack {

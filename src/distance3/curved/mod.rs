@@ -26,7 +26,7 @@ mod by_support;
 mod curved_replay;
 mod curved_search;
 mod expand;
-mod gap;
+mod hull_solid;
 mod level;
 mod piece;
 mod smooth_solid;
@@ -216,6 +216,7 @@ where
                 true => (curved_search::search_farthest(plain_a, plain_b)?, -1.0),
                 false => (curved_search::search(plain_a, plain_b)?, 1.0),
             };
+            let found = found.replayed([plain_a, plain_b]);
             let pieces = solid_pair::pieces([plain_a, plain_b], &found, side);
             Some(replay((of_a, of_b), pieces, &found, side))
         });

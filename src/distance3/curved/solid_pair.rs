@@ -1,5 +1,5 @@
 //! Two solids, and what a search finds of them.
-use super::gap::Difference;
+use super::super::gjk::PointDifference;
 use super::piece::{Piece, PieceKind};
 use super::support::Supported;
 use super::touch::Touch;
@@ -49,9 +49,26 @@ impl Solids<'_> {
         both
     }
     /// Returns the point of b, moved, less a that is the lowest along a vector.
-    pub fn lowest(&self, way: Vec3<f64>, by: Vec3<f64>) -> Difference {
+    pub fn lowest(&self, way: Vec3<f64>, by: Vec3<f64>) -> PointDifference {
         let (a, b) = (self.a.support(way), self.b.support(-way) + by);
-        Difference { way: b - a, a, b }
+        PointDifference { way: b - a, a, b }
+    }
+}
+
+impl Found {
+    /// Returns the same with the numbers of pieces, and the places on them, that a replay evaluates.
+    pub fn replayed(&self, [a, b]: [&dyn Supported; 2]) -> Self {
+        let (i, at_a) = a.replayed(self.pieces[0], &self.touch.a);
+        let (j, at_b) = b.replayed(self.pieces[1], &self.touch.b);
+        Found {
+            pieces: [i, j],
+            touch: Touch {
+                normal: self.touch.normal,
+                a: at_a,
+                b: at_b,
+            },
+            ..*self
+        }
     }
 }
 

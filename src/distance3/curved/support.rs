@@ -18,11 +18,15 @@ pub trait Supported {
     /// Returns the place on a piece that is as near as clamping makes it.
     fn clamped(&self, k: usize, place: &Place<f64>) -> Place<f64>;
     /// Returns a point in the middle of a piece.
-    fn middle_of(&self, piece: &Piece<f64>) -> Vec3<f64> {
+    fn middle_of(&self, _: usize, piece: &Piece<f64>) -> Vec3<f64> {
         match piece.kind {
             PieceKind::Line | PieceKind::Side => piece.from + piece.along * 0.5,
             _ => piece.from,
         }
+    }
+    /// Returns the number by which a replay evaluates a piece, and a point's place on that.
+    fn replayed(&self, k: usize, place: &Place<f64>) -> (usize, Place<f64>) {
+        (k, *place)
     }
 }
 
@@ -152,7 +156,7 @@ impl Supported for Solid<f64> {
         }
         place
     }
-    fn middle_of(&self, piece: &Piece<f64>) -> Vec3<f64> {
+    fn middle_of(&self, _: usize, piece: &Piece<f64>) -> Vec3<f64> {
         let [p, q, _] = [0, 1, 2].map(|k| piece.ways[k] * piece.sizes[k]);
         match (piece.kind, self) {
             (PieceKind::Face, Solid::Simplex { .. }) => piece.from + (p + q) * (1.0 / 3.0),

@@ -4,7 +4,7 @@ use crate::Vec3;
 use crate::hull3::{HullEdge, Surface};
 
 /// A face of a hull.
-pub(super) struct Face {
+pub(in crate::distance3) struct Face {
     /// Its corners, counter-clockwise seen from outside.
     pub ring: Vec<usize>,
     /// Three of them that span it, the first opposite to the longest side.
@@ -14,7 +14,7 @@ pub(super) struct Face {
 }
 
 /// A hull, and all that bounds it.
-pub(super) struct Body<'a> {
+pub(in crate::distance3) struct Body<'a> {
     pub points: &'a [Vec3<f64>],
     pub corners: Vec<usize>,
     pub faces: Vec<Face>,

@@ -5,7 +5,8 @@ use crate::Vec3;
 const LANES: usize = 4;
 
 /// Points in groups, each with the columns of its coordinates. The last group repeats the first point.
-pub(super) struct PointColumns(Vec<[[f64; LANES]; 3]>);
+#[derive(Debug)]
+pub(in crate::distance3) struct PointColumns(Vec<[[f64; LANES]; 3]>);
 
 impl PointColumns {
     /// Returns points relative to another one.

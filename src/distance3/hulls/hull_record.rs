@@ -146,7 +146,7 @@ const FEW: usize = 8;
 /// Returns the three corners of a face around a point's foot that span the largest triangle; only these give the
 /// derivative by corners that a face has which stops to be flat. The ring is counter-clockwise seen from `above`; the
 /// result as [`spanning`] returns it.
-pub(super) fn around(
+pub(in crate::distance3) fn around(
     points: &[Vec3<f64>],
     ring: &[usize],
     (above, up): (Vec3<f64>, Vec3<f64>),

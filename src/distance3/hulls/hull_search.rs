@@ -1,7 +1,7 @@
 //! The search for the features of two hulls that decide about their relation.
+use super::super::gjk::{Gap, gap};
 use super::body::Body;
 use super::expansion;
-use super::gjk::{Gap, gap};
 use super::highest_point::PointColumns;
 use super::hull_record::{FeaturePair, HullFeatures, HullRecord, spanning};
 use super::near_features::{Near, edges, from_edge, nearest, of_edges};
@@ -39,7 +39,8 @@ pub(super) fn search(mut a: Vec<Vec3<f64>>, mut b: Vec<Vec3<f64>>, rounding: f64
     scaled(&mut a, &mut b);
     let slack = TIED * rounding;
     let columns = [&a, &b].map(|points| PointColumns::new(points, a[0]));
-    let seen = gap(&columns);
+    let lowest = |way: Vec3<f64>| columns[1].highest(-way).1 - columns[0].highest(way).1;
+    let seen = gap(lowest, columns[1].point(0) - columns[0].point(0), 0.0);
     let apart = !seen.inside && seen.least > CLEAR;
     if apart && let Some(features) = few([&a, &b], &columns, seen, slack) {
         return HullRecord::new(&[features], false);
@@ -139,7 +140,7 @@ impl Nearest {
 fn few(
     [a, b]: [&[Vec3<f64>]; 2],
     columns: &[PointColumns; 2],
-    seen: Gap,
+    seen: Gap<Vec3<f64>>,
     slack: f64,
 ) -> Option<HullFeatures> {
     const REACHED: f64 = 1e-12;

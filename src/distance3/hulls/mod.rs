@@ -25,7 +25,6 @@
 //! The search decides in `f64`, also for `f32`. Numbers over other formats have the features of the first vertices.
 mod body;
 mod expansion;
-mod gjk;
 mod highest_point;
 mod hull_record;
 mod hull_replay;
@@ -45,7 +44,11 @@ use super::spot::{plain, vanish};
 use crate::distance::share::Best;
 use crate::scalar::Guard;
 use crate::{Hull3, Pack, Scalar, Vec3};
+pub(super) use body::Body as HullBody;
+pub(super) use highest_point::PointColumns;
+pub(super) use hull_record::around;
 pub use hull_record::{FeaturePair, HullFeatures, HullRecord};
+pub(super) use patch::ring as patch_ring;
 
 /// A convex shape with corners: their hull, inflated by a radius.
 pub(crate) trait Cornered: Copy + Pack<Scalar: Scalar> {
@@ -142,7 +145,7 @@ fn origin<S: Scalar, A: Cornered<Scalar = S>, B: Cornered<Scalar = S>>(a: &A, b:
 }
 
 /// Returns the corners as plain numbers, exactly; `None` where one is not finite, or of another format.
-fn numbers<S: Scalar>(corners: &[Vec3<S>]) -> Option<Vec<Vec3<f64>>> {
+pub(super) fn numbers<S: Scalar>(corners: &[Vec3<S>]) -> Option<Vec<Vec3<f64>>> {
     let wide = |Vec3 { x, y, z }: &Vec3<S>| {
         let point = Vec3::new(x.widened()?, y.widened()?, z.widened()?);
         point.is_finite().then_some(point)

@@ -27,6 +27,28 @@ impl<'a> From<&'a Body<'_>> for Side<'a> {
     }
 }
 
+/// Returns two directions of length one across a normal and each other.
+fn axes(normal: Vec3<f64>) -> [Vec3<f64>; 2] {
+    let axis = match normal.x.abs() < 0.6 {
+        true => Vec3::new(1.0, 0.0, 0.0),
+        false => Vec3::new(0.0, 1.0, 0.0),
+    };
+    let first = unit(normal.cross(axis));
+    [first, normal.cross(first)]
+}
+
+/// Returns the corners of the part of a hull in the plane through one of them, counter-clockwise seen from the tip of
+/// the normal.
+pub(in crate::distance3) fn ring(
+    points: &[Vec3<f64>],
+    corners: &[usize],
+    (corner, normal): (usize, Vec3<f64>),
+    slack: f64,
+) -> Vec<usize> {
+    let view = (points[corner], axes(normal));
+    patch(Side { points, corners }, (corner, normal), view, slack).corners
+}
+
 /// Returns the part of a hull in the plane through a corner, seen along two axes from a point.
 fn patch(
     body: Side<'_>,
@@ -107,12 +129,7 @@ fn cross([a, b]: [Vec2<f64>; 2], [c, d]: [Vec2<f64>; 2], slack: f64) -> bool {
 pub(super) fn features(a: Side<'_>, b: Side<'_>, plane: &Plane, slack: f64) -> Vec<HullFeatures> {
     let normal = plane.normal;
     let slack = slack.max(2.0 * BEYOND);
-    let axis = match normal.x.abs() < 0.6 {
-        true => Vec3::new(1.0, 0.0, 0.0),
-        false => Vec3::new(0.0, 1.0, 0.0),
-    };
-    let first = unit(normal.cross(axis));
-    let view = (a.points[plane.on_a], [first, normal.cross(first)]);
+    let view = (a.points[plane.on_a], axes(normal));
     let of_a = patch(a, (plane.on_a, normal), view, slack);
     let of_b = patch(b, (plane.on_b, normal), view, slack);
     let mut all = Vec::new();

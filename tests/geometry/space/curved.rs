@@ -1,6 +1,6 @@
 //! Distances of curved shapes are proved by what they come with: points of both, and a plane between. Nothing here is
 //! the library's but what is tested.
-use super::curved_draw::{Body, FAMILIES, Frame, frames};
+use super::curved_draw::{Body, FAMILIES, Frame, Hull, frames};
 use super::draw::Random;
 use geograd::ad::hessian;
 use geograd::distance3::{
@@ -19,7 +19,7 @@ macro_rules! each_pair {
             Cylinder Cone, Cylinder Disc, Cylinder Obb3, Cylinder Segment3, Cylinder Triangle3, Cylinder Tetrahedron,
             Cylinder Capsule3, Cone Cone, Cone Disc, Cone Obb3, Cone Segment3, Cone Triangle3, Cone Tetrahedron,
             Cone Capsule3, Disc Disc, Disc Obb3, Disc Segment3, Disc Triangle3, Disc Tetrahedron, Disc Vec3,
-            Disc Capsule3
+            Disc Capsule3, Hull Ellipsoid, Hull Cylinder, Hull Cone, Hull Disc
         }
     };
 }

@@ -401,3 +401,48 @@ cornered! {
     Triangle3: |at, x, y, z| Triangle3::new(at - x, at + x, at + y), |s| s.corners();
     Tetrahedron: |at, x, y, z| Tetrahedron::new(at - x, at + x, at + y, at + z), |s| s.corners();
 }
+
+/// A hull in a test of curved shapes.
+pub type Hull<S> = Hull3<S, 8>;
+
+impl Body for Hull<f64> {
+    /// A roof over a rectangle, with a vertex inside and one on an edge.
+    fn drawn(
+        Frame {
+            at,
+            turn,
+            lengths: [x, y, z],
+        }: Frame,
+    ) -> Self {
+        let corner = |u: f64, v: f64, w: f64| at + turn * Vec3::new(u * x, v * y, w * z);
+        Hull3::from([
+            corner(-1.0, -1.0, -1.0),
+            corner(0.1, 0.2, -0.3),
+            corner(1.0, -1.0, -1.0),
+            corner(1.0, 1.0, -1.0),
+            corner(-1.0, 1.0, -1.0),
+            corner(0.0, 1.0, -1.0),
+            corner(-0.75, 0.0, 1.0),
+            corner(0.5, 0.0, 1.0),
+        ])
+    }
+    fn high(&self, way: Vec3<f64>) -> Vec3<f64> {
+        let height = |p: &Vec3<f64>| way.dot(*p - self.vertices[0]);
+        let higher = |p: &Vec3<f64>, q: &Vec3<f64>| height(p).total_cmp(&height(q));
+        self.vertices.into_iter().max_by(higher).unwrap()
+    }
+    fn outside(&self, point: Vec3<f64>) -> f64 {
+        // Hulls have tests of their own.
+        self.distance(point)
+    }
+    fn size(&self) -> f64 {
+        let lengths = self
+            .vertices
+            .iter()
+            .map(|&p| (p - self.vertices[0]).length());
+        lengths.fold(0.0, f64::max)
+    }
+    fn middle(&self) -> Vec3<f64> {
+        self.vertices[0]
+    }
+}

@@ -1,5 +1,5 @@
 //! First and second derivatives of distances of curved shapes, of their points and of their normal.
-use super::curved_draw::{Body, frames};
+use super::curved_draw::{Body, Hull, frames};
 use super::draw::Random;
 use geograd::ad::{gradient, hessian};
 use geograd::distance3::{closest_points, penetration, signed_distance};
@@ -83,7 +83,7 @@ macro_rules! slopes_all {
 fn first_and_second_derivatives_are_those_of_differences() {
     slopes_all! {
         Ellipsoid Ellipsoid, Ellipsoid Cylinder, Ellipsoid Obb3, Ellipsoid Vec3, Cylinder Cylinder, Cylinder Cone,
-        Cylinder Obb3, Cone Capsule3, Cone Disc, Disc Triangle3
+        Cylinder Obb3, Cone Capsule3, Cone Disc, Disc Triangle3, Hull Ellipsoid, Hull Cylinder, Hull Cone, Hull Disc
     }
 }
 

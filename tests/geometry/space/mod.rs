@@ -17,6 +17,7 @@ mod hull_oracle;
 mod hull_sizes;
 mod hull_slopes;
 mod hulls;
+mod hulls_and_curves;
 mod inertia;
 mod manifolds;
 mod motion;

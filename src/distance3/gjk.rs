@@ -1,9 +1,22 @@
 //! The nearest points of two convex solids by their supports (Gilbert, Johnson, Keerthi 1988), with a bound from below.
 use crate::Vec3;
 
+/// A point of b less one of a.
+pub(super) trait Difference: Copy {
+    /// Returns the vector from the point of a to that of b.
+    fn way(&self) -> Vec3<f64>;
+}
+
+impl Difference for Vec3<f64> {
+    #[inline(always)]
+    fn way(&self) -> Vec3<f64> {
+        *self
+    }
+}
+
 /// A point of b less one of a, and both.
 #[derive(Clone, Copy, Debug)]
-pub struct Difference {
+pub(super) struct PointDifference {
     /// The vector from the point of a to that of b.
     pub way: Vec3<f64>,
     /// The point of a.
@@ -12,27 +25,48 @@ pub struct Difference {
     pub b: Vec3<f64>,
 }
 
+impl Difference for PointDifference {
+    #[inline(always)]
+    fn way(&self) -> Vec3<f64> {
+        self.way
+    }
+}
+
 /// The result of the iteration.
 #[derive(Clone, Copy, Debug)]
-pub struct Gap {
+pub(super) struct Gap<D> {
     /// The vector from the nearest point of a to that of b.
     pub way: Vec3<f64>,
-    /// The point of a.
-    pub on_a: Vec3<f64>,
-    /// The point of b.
-    pub on_b: Vec3<f64>,
+    /// A distance that the solids have at least: the width of a slab between them. Negative without one.
+    pub least: f64,
     /// `true` if the solids seem to have a point in common.
     pub inside: bool,
+    /// Differences whose weighted mean the vector is; the first `count` matter.
+    simplex: [D; 4],
+    weights: [f64; 4],
+    count: usize,
 }
 
 /// The relative gap of both bounds of the square at which it ends.
-const PROGRESS: f64 = 1e-14;
+const PROGRESS: f64 = 1e-15;
 /// The square of a length that is none, relative to the square of the size.
 const NONE: f64 = 1e-30;
 /// The square of a bound that proves the solids to be apart, relative to the square of the size.
 const PROVED: f64 = 1e-28;
-/// The number of steps after which it ends, right or not.
+/// The number of steps after which it ends, right or not; hulls need about five.
 const STEPS: usize = 200;
+
+impl Gap<PointDifference> {
+    /// Returns the nearest points, of a and of b.
+    pub fn points(&self) -> [Vec3<f64>; 2] {
+        let (mut on_a, mut on_b) = (Vec3::zero(), Vec3::zero());
+        for (corner, weight) in self.simplex[..self.count].iter().zip(self.weights) {
+            on_a += corner.a * weight;
+            on_b += corner.b * weight;
+        }
+        [on_a, on_b]
+    }
+}
 
 /// Returns the weights of the point of a segment that is nearest to the origin.
 fn of_segment(p: Vec3<f64>, q: Vec3<f64>) -> [f64; 2] {
@@ -70,13 +104,13 @@ fn of_triangle(corners: [Vec3<f64>; 3]) -> [f64; 3] {
 
 /// Returns the weights of the point of a simplex that is nearest to the origin; `None` if the origin is inside, which
 /// it is not if the solids are known to be apart.
-fn nearest(simplex: &[Difference], apart: bool) -> Option<[f64; 4]> {
+fn nearest<D: Difference>(simplex: &[D], apart: bool) -> Option<[f64; 4]> {
     let mut weights = [0.0; 4];
-    match *simplex {
-        [p, q] => weights[..2].copy_from_slice(&of_segment(p.way, q.way)),
-        [p, q, r] => weights[..3].copy_from_slice(&of_triangle([p.way, q.way, r.way])),
+    match simplex {
+        [p, q] => weights[..2].copy_from_slice(&of_segment(p.way(), q.way())),
+        [p, q, r] => weights[..3].copy_from_slice(&of_triangle([p.way(), q.way(), r.way()])),
         [p, q, r, s] => {
-            let all = [p.way, q.way, r.way, s.way];
+            let all = [p.way(), q.way(), r.way(), s.way()];
             let (mut best, mut inside) = (f64::INFINITY, true);
             for [i, j, k, behind] in [[0, 1, 2, 3], [0, 2, 3, 1], [0, 3, 1, 2], [1, 3, 2, 0]] {
                 let normal = (all[j] - all[i]).cross(all[k] - all[i]);
@@ -102,58 +136,60 @@ fn nearest(simplex: &[Difference], apart: bool) -> Option<[f64; 4]> {
     Some(weights)
 }
 
-/// Returns the nearest points, given the point of b less a that is the lowest along a vector, and a first vector, which
-/// is not zero.
-pub fn gap(lowest: &dyn Fn(Vec3<f64>) -> Difference, first: Vec3<f64>) -> Gap {
-    let start = lowest(first);
-    let mut way = start.way;
-    let (mut simplex, mut weights, mut count) = ([start; 4], [1.0, 0.0, 0.0, 0.0], 1);
-    let mut least = first.dot(way) / first.length();
-    let (mut size, mut inside) = (way.length_squared(), false);
+/// Returns the nearest points of two solids, given the difference that is the lowest along a vector, a first one, and a
+/// distance that they are known to have at least; that may be negative.
+pub(super) fn gap<D: Difference>(lowest: impl Fn(Vec3<f64>) -> D, first: D, least: f64) -> Gap<D> {
+    let way = first.way();
+    let mut found = Gap {
+        way,
+        least,
+        inside: false,
+        simplex: [first; 4],
+        weights: [1.0, 0.0, 0.0, 0.0],
+        count: 1,
+    };
+    let mut size = way.length_squared();
     for _ in 0..STEPS {
-        let square = way.length_squared();
+        let square = found.way.length_squared();
         if square <= NONE * size {
-            inside = true;
+            found.inside = true;
             break;
         }
-        let low = lowest(way);
-        size = size.max(low.way.length_squared());
-        let height = way.dot(low.way);
-        least = least.max(height / square.sqrt());
-        let known = simplex[..count].iter().any(|corner| corner.way == low.way);
+        let low = lowest(found.way);
+        let at = low.way();
+        size = size.max(at.length_squared());
+        let height = found.way.dot(at);
+        found.least = found.least.max(height / square.sqrt());
+        let simplex = &found.simplex[..found.count];
+        let known = simplex.iter().any(|corner| corner.way() == at);
         if square - height <= PROGRESS * square || known {
             break;
         }
-        simplex[count] = low;
-        let apart = least > 0.0 && least * least > PROVED * size;
-        let Some(parts) = nearest(&simplex[..=count], apart) else {
-            inside = true;
+        found.simplex[found.count] = low;
+        let apart = found.least > 0.0 && found.least * found.least > PROVED * size;
+        let Some(parts) = nearest(&found.simplex[..=found.count], apart) else {
+            found.inside = true;
             break;
         };
-        let (mut kept, mut next) = (0, Vec3::zero());
-        let (mut held, mut shares) = (simplex, [0.0; 4]);
-        for k in 0..=count {
-            if parts[k] > 0.0 {
-                (held[kept], shares[kept]) = (simplex[k], parts[k]);
-                next += simplex[k].way * parts[k];
-                kept += 1;
+        let mut next = Vec3::zero();
+        for (corner, &part) in found.simplex.iter().zip(&parts) {
+            if part > 0.0 {
+                next += corner.way() * part;
             }
         }
         // No progress in the digits that there are.
         if next.length_squared() >= square {
             break;
         }
-        (simplex, weights, count, way) = (held, shares, kept, next);
-    }
-    let mut found = Gap {
-        way,
-        on_a: Vec3::zero(),
-        on_b: Vec3::zero(),
-        inside,
-    };
-    for (corner, weight) in simplex[..count].iter().zip(weights) {
-        found.on_a += corner.a * weight;
-        found.on_b += corner.b * weight;
+        let count = std::mem::replace(&mut found.count, 0);
+        for k in 0..=count {
+            if parts[k] > 0.0 {
+                found.simplex[found.count] = found.simplex[k];
+                found.weights[found.count] = parts[k];
+                found.count += 1;
+            }
+        }
+        found.way = next;
     }
     found
 }

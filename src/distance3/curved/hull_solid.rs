@@ -1,0 +1,289 @@
+//! Hulls as solids of smooth pieces: corners, edges, and faces, each by three corners that span it.
+use super::curved_replay::Pieces;
+use super::piece::{Piece, PieceKind, Place};
+use super::support::{Supported, start};
+use super::{Curved, Placed, farthest, relate};
+use crate::arrays::Each;
+use crate::distance3::apart::Apart;
+use crate::distance3::curved::{BySupport, SupportFunction};
+use crate::distance3::hulls::{Cornered, HullBody, PointColumns, around, numbers, patch_ring};
+use crate::distance3::relation::Relation;
+use crate::scalar::{Guard, largest};
+use crate::shape::{Cone, Cylinder, Disc, Ellipsoid};
+use crate::{Hull3, Scalar, Vec3};
+
+/// The corners of a piece, by their numbers: of a corner one, of an edge two, of a face three that span it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Named {
+    corners: [usize; 3],
+    count: usize,
+}
+
+/// The bits of the number of a corner.
+const BITS: u32 = 8;
+
+impl Named {
+    fn new(corners: &[usize]) -> Self {
+        let at = |k: usize| corners[if k < corners.len() { k } else { 0 }];
+        Named {
+            corners: [at(0), at(1), at(2)],
+            count: corners.len(),
+        }
+    }
+    /// Returns it as one number, larger than those in the list of pieces.
+    fn number(self) -> usize {
+        let [i, j, k] = self.corners;
+        i | j << BITS | k << (2 * BITS) | self.count << (3 * BITS)
+    }
+    /// Returns the piece of a number; `None` of a place in the list of pieces.
+    fn of(number: usize) -> Option<Self> {
+        let one = |k: u32| number >> (k * BITS) & 0xff;
+        let corners = [one(0), one(1), one(2)];
+        let count = number >> (3 * BITS);
+        (count > 0).then_some(Named { corners, count })
+    }
+    /// Returns the piece, given all corners.
+    fn piece<S: Scalar>(self, points: &[Vec3<S>]) -> Piece<S> {
+        let [from, i, j] = self
+            .corners
+            .each_as(|k| points.get(k).copied().unwrap_or(Vec3::zero()));
+        let (u, v) = (i - from, j - from);
+        match self.count {
+            1 => Piece::point(from),
+            2 => Piece::line(from, u),
+            _ => Piece::plane(
+                PieceKind::Face,
+                from,
+                [u.normalize_or_zero(), v.normalize_or_zero()],
+                [u.length(), v.length()],
+            ),
+        }
+    }
+}
+
+/// A hull in the units of a search.
+#[derive(Clone, Copy, Debug)]
+pub struct HullInUnits<S, const N: usize> {
+    points: [Vec3<S>; N],
+    count: usize,
+}
+
+impl<S: Scalar, const N: usize> Pieces<S> for HullInUnits<S, N> {
+    fn piece_at(&self, k: usize, _: Vec3<S>) -> Piece<S> {
+        Named::of(k).map_or(Piece::point(Vec3::zero()), |named| {
+            named.piece(&self.points)
+        })
+    }
+}
+
+/// A face, and its corners in the coordinates of its piece.
+#[derive(Debug)]
+struct Ring {
+    corners: Vec<usize>,
+    /// The corners, counter-clockwise from outside as the ring is.
+    seen: Vec<[f64; 2]>,
+    normal: Vec3<f64>,
+}
+
+/// A hull of plain numbers with its pieces.
+#[derive(Debug)]
+pub struct HullPieces {
+    points: Vec<Vec3<f64>>,
+    columns: PointColumns,
+    pieces: Vec<Named>,
+    /// The rings of the faces, which are the last pieces.
+    rings: Vec<Ring>,
+}
+
+/// The height over the plane of a face below which a corner is in it.
+const FLAT: f64 = 1e-14;
+
+impl HullPieces {
+    fn new(points: Vec<Vec3<f64>>) -> Self {
+        let body = HullBody::of(&points, f64::EPSILON);
+        let mut faces: Vec<(Named, Vec<usize>, Vec3<f64>)> = Vec::new();
+        for face in &body.faces {
+            if face.normal == Vec3::zero() {
+                continue;
+            }
+            // A face whose corners are in a plane within rounding is one.
+            let ring = patch_ring(&points, &body.corners, (face.plane[0], face.normal), FLAT);
+            let same = |other: &(Named, Vec<usize>, Vec3<f64>)| {
+                other.2.dot(face.normal) > 0.0
+                    && other.1.len() == ring.len()
+                    && ring.iter().all(|k| other.1.contains(k))
+            };
+            if ring.len() > 2 && !faces.iter().any(same) {
+                faces.push((Named::new(&face.plane), ring, face.normal));
+            }
+        }
+        let corners = body.corners.iter().map(|&k| Named::new(&[k]));
+        let edges = body.edges.iter().map(|edge| Named::new(&edge.ends));
+        let mut pieces: Vec<Named> = corners.chain(edges).collect();
+        let mut rings = Vec::new();
+        for (named, corners, normal) in faces {
+            let piece = named.piece(&points);
+            let seen = |&k: &usize| {
+                let [x, y, _] = start(&piece, points[k], normal, false).y;
+                [x, y]
+            };
+            let seen = corners.iter().map(seen).collect();
+            pieces.push(named);
+            rings.push(Ring {
+                corners,
+                seen,
+                normal,
+            });
+        }
+        HullPieces {
+            columns: PointColumns::new(&points, points[0]),
+            points,
+            pieces,
+            rings,
+        }
+    }
+    /// Returns the ring of a piece; `None` of a corner or an edge.
+    fn ring(&self, k: usize) -> Option<&Ring> {
+        let first = self.pieces.len() - self.rings.len();
+        k.checked_sub(first).and_then(|k| self.rings.get(k))
+    }
+}
+
+impl Ring {
+    /// Returns the point of the face that is nearest to another one in its plane, in the coordinates of a piece.
+    fn clamped(&self, piece: &Piece<f64>, at: [f64; 2]) -> [f64; 2] {
+        let way = |[x, y]: [f64; 2], [z, w]: [f64; 2]| {
+            piece.ways[0] * (piece.sizes[0] * (z - x)) + piece.ways[1] * (piece.sizes[1] * (w - y))
+        };
+        let (mut best, mut nearest, mut inside) = (f64::INFINITY, at, true);
+        for (k, &from) in self.seen.iter().enumerate() {
+            let to = self.seen[(k + 1) % self.seen.len()];
+            let (along, arm) = (way(from, to), way(from, at));
+            inside &= self.normal.dot(along.cross(arm)) >= 0.0;
+            let square = along.length_squared();
+            let share = if square > 0.0 {
+                (along.dot(arm) / square).clamp(0.0, 1.0)
+            } else {
+                0.0
+            };
+            let foot = [0, 1].map(|k| from[k] + (to[k] - from[k]) * share);
+            let off = way(foot, at).length_squared();
+            if off < best {
+                (best, nearest) = (off, foot);
+            }
+        }
+        if inside { at } else { nearest }
+    }
+}
+
+impl Supported for HullPieces {
+    fn support(&self, way: Vec3<f64>) -> Vec3<f64> {
+        self.points[self.columns.highest(way).0]
+    }
+    fn middle(&self) -> Vec3<f64> {
+        let arms = self.points.iter().map(|&point| point - self.points[0]);
+        let sum = arms.fold(Vec3::zero(), |sum, arm| sum + arm);
+        self.points[0] + sum * (1.0 / self.points.len() as f64)
+    }
+    fn size(&self) -> f64 {
+        let lengths = self
+            .points
+            .iter()
+            .map(|&point| (point - self.points[0]).length());
+        lengths.fold(0.0, f64::max)
+    }
+    fn pieces(&self) -> usize {
+        self.pieces.len()
+    }
+    fn piece(&self, k: usize, _: Vec3<f64>) -> Piece<f64> {
+        let named = Named::of(k).unwrap_or_else(|| self.pieces[k]);
+        named.piece(&self.points)
+    }
+    fn clamped(&self, k: usize, place: &Place<f64>) -> Place<f64> {
+        let mut place = *place;
+        place.s = place.s.clamp(0.0, 1.0);
+        if let Some(ring) = self.ring(k) {
+            let [x, y, _] = place.y;
+            let [x, y] = ring.clamped(&self.pieces[k].piece(&self.points), [x, y]);
+            place.y = [x, y, 0.0];
+        }
+        place
+    }
+    fn middle_of(&self, k: usize, piece: &Piece<f64>) -> Vec3<f64> {
+        let Some(ring) = self.ring(k) else {
+            return piece.from + piece.along * 0.5;
+        };
+        let arms = ring.corners.iter().map(|&k| self.points[k] - piece.from);
+        let sum = arms.fold(Vec3::zero(), |sum, arm| sum + arm);
+        piece.from + sum * (1.0 / ring.corners.len() as f64)
+    }
+    fn replayed(&self, k: usize, place: &Place<f64>) -> (usize, Place<f64>) {
+        let named = self.pieces[k];
+        let Some(ring) = self.ring(k).filter(|ring| ring.corners.len() > 3) else {
+            return (named.number(), *place);
+        };
+        let at = named.piece(&self.points).at(place);
+        let up = (ring.normal, ring.normal);
+        let named = Named::new(&around(&self.points, &ring.corners, up, at));
+        let piece = named.piece(&self.points);
+        (named.number(), start(&piece, at, ring.normal, false))
+    }
+}
+
+impl<S: Scalar, const N: usize> Placed<S> for HullInUnits<S, N> {
+    type Plain = HullPieces;
+    fn reach(&self) -> S::Primal {
+        let all = self.points[..self.count].iter();
+        all.fold(S::Primal::zero(), |most, p| {
+            most.most(largest([p.x, p.y, p.z]))
+        })
+    }
+    fn plain(&self) -> Option<HullPieces> {
+        numbers(&self.points[..self.count]).map(HullPieces::new)
+    }
+}
+
+impl<S: Scalar<Mask = bool>, const N: usize> Curved for Hull3<S, N> {
+    type Placed = HullInUnits<S, N>;
+    fn anchor_point(&self) -> Vec3<S> {
+        self.vertices[0]
+    }
+    fn in_units(&self, from: Vec3<S>, scale: S) -> HullInUnits<S, N> {
+        let points = self.corners_from(from).map(|point| point * scale);
+        HullInUnits {
+            points,
+            count: self.count_of_corners(&points),
+        }
+    }
+}
+
+macro_rules! hulls {
+    ($([$($generic:tt)*] $A:ty, $B:ty, |$a:ident, $b:ident| $guard:expr;)*) => { $(
+        impl<S: Scalar<Mask = bool>, const N: usize, $($generic)*> Apart<$B> for $A {
+            type Scalar = S;
+            fn guarded_with(&self, other: &$B) -> Guard<S> {
+                let ($a, $b) = (self, other);
+                $guard
+            }
+            fn relation(self, other: $B) -> Relation<S> {
+                relate(self, other)
+            }
+            fn farthest(self, other: $B) -> S {
+                farthest(self, other)
+            }
+        }
+    )* };
+}
+macro_rules! both {
+    ($([$($generic:tt)*] $A:ty;)*) => { hulls! { $(
+        [$($generic)*] $A, Hull3<S, N>, |a, b| b.with_guard(Guard::of(a));
+        [$($generic)*] Hull3<S, N>, $A, |a, b| a.with_guard(Guard::of(b));
+    )* } };
+}
+both! {
+    [] Ellipsoid<S>;
+    [] Disc<S>;
+    [] Cylinder<S>;
+    [] Cone<S>;
+    [O: SupportFunction<Scalar = S, With<f64>: SupportFunction<Scalar = f64>>] BySupport<O>;
+}
