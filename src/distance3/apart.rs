@@ -28,7 +28,7 @@ use crate::{Scalar, Vec3};
 #[diagnostic::on_unimplemented(
     message = "the methods of distances do not take `{Self}` and `{B}`",
     label = "no distance from `{B}`",
-    note = "lines, rays and hulls have none from cylinders, cones, ellipsoids and discs"
+    note = "half-spaces have none from half-spaces, lines and rays"
 )]
 pub trait Apart<B>: Copy {
     /// Their numbers.

@@ -10,6 +10,7 @@ use super::relation::Relation;
 use super::simplex::{SegmentCore, SimplexCore};
 use super::spot::{plain, vanish};
 use super::straight::{Straight, StraightKind};
+use crate::arrays::Each;
 use crate::distance::edge::scale_of;
 use crate::scalar::Guard;
 use crate::shape::{Line3, Ray3};
@@ -46,23 +47,28 @@ impl<S: Scalar> Straight<S> {
     /// the core by more than the core's size, so that no translation along it is shorter than one across.
     #[inline(always)]
     fn before<B: Core3<S>>(&self, core: &B) -> SegmentCore<S> {
-        let plain = |x: S::Primal| S::from_primal(x.primal());
+        let anchor = core.anchor();
+        // No corner is farther from the anchor than √3 extents, and no shift across is longer than another.
+        let reach = S::from_primal(core.extent(anchor)) * S::lit(2.75);
+        SimplexCore(self.near(anchor, reach))
+    }
+    /// Returns the ends of the part of a line or ray that is no farther than a length from the foot of a point.
+    #[inline(always)]
+    pub(super) fn near(&self, point: Vec3<S>, reach: S) -> [Vec3<S>; 2] {
+        let plain = |x: S| S::from_primal(x.primal());
         let way = self.along * scale_of::<S>(size_of(self.along));
         let square = way.length_squared();
         let none = square.at_most(S::zero());
         let square = S::select(none, S::one(), square);
-        let anchor = core.anchor();
-        // No corner is farther from the anchor than √3 extents, and no shift across is longer than another.
-        let margin = (plain(core.extent(anchor)) * S::lit(2.75)).over(square.root());
-        let foot = way.dot(anchor - self.from).over(square);
+        let margin = reach.over(square.root());
+        let foot = way.dot(point - self.from).over(square);
         let (low, high) = (foot - margin, foot + margin);
         let (low, high) = match self.reach {
             StraightKind::Line => (low, high),
             _ => (low.most(S::zero()), high.most(margin)),
         };
         // Results do not depend on where an end is, so that it has no derivative of its own.
-        let end = |t: S| self.from + way * plain(t.primal());
-        SimplexCore([end(low), end(high)])
+        [low, high].each_as(|t| self.from + way * plain(t))
     }
 }
 
@@ -162,7 +168,7 @@ macro_rules! endless {
         impl<S: Scalar> $Shape<S> {
             /// Returns the line or ray as a feature.
             #[inline(always)]
-            fn feature(self) -> Straight<S> {
+            pub(super) fn feature(self) -> Straight<S> {
                 Straight {
                     from: self.$field,
                     along: self.direction,

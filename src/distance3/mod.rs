@@ -96,6 +96,7 @@ pub(crate) mod core;
 pub(crate) mod cored;
 pub mod curved;
 pub(crate) mod deep;
+mod enclosed;
 mod endless;
 mod facing;
 pub(crate) mod formula;

@@ -214,6 +214,18 @@ fn placed<S: Scalar>(all: &[Vec3<S>], names: [u8; 3], scale: S) -> Corners<S> {
     names.each_as(|name| at(name).unwrap_or(Vec3::zero()) * scale)
 }
 
+/// Returns the mean of directions with length one: in a gap that is mostly rounding they differ. Any mean of directions
+/// that separate hulls does so, too. Of opposite ones the first counts.
+fn lengthened<S: Scalar>(mean: Vec3<S>, first: Vec3<S>) -> Vec3<S> {
+    let square = mean.length_squared();
+    let whole = S::lit(1.0 - 64.0 * S::EPSILON);
+    let opposite = square.below(S::lit(0.25));
+    let safe = S::select(opposite, S::one(), square);
+    let unit = mean * S::one().over(safe.root());
+    let unit = Vec3::select(opposite, first, unit);
+    Vec3::select(square.below(whole), unit, mean)
+}
+
 /// Returns the relation of two hulls from the record of a search, in the mean of the features that tie. Where several
 /// planes do, direction and points are those of the first.
 pub(super) fn replay<S: Scalar>(a: &[Vec3<S>], b: &[Vec3<S>], record: &HullRecord) -> Relation<S> {
@@ -271,11 +283,21 @@ pub(super) fn replay<S: Scalar>(a: &[Vec3<S>], b: &[Vec3<S>], record: &HullRecor
         });
     }
     let found = mean.unwrap_or_else(|| unreachable!("a record has a feature"));
+    let normal = match all.len() {
+        1 => found.normal,
+        _ => {
+            let [here, there] = [placed(a, all[0].a, scale), placed(b, all[0].b, scale)];
+            lengthened(
+                found.normal,
+                related(&all[0], here, there, record.inside).normal,
+            )
+        }
+    };
     let back = |v: Vec3<S>| Vec3::new(v.x.over(scale), v.y.over(scale), v.z.over(scale));
     Relation {
         apart: found.apart.over(scale),
         square: found.square.over(scale).over(scale),
-        normal: found.normal,
+        normal,
         on_a: back(found.on_a),
         on_b: back(found.on_b),
     }

@@ -103,6 +103,36 @@ impl Patch {
         let count = if n == 2 { 1 } else { n * usize::from(n > 2) };
         (0..count).map(move |k| [k, (k + 1) % n])
     }
+    /// Returns an edge for each corner of a face that is on the open part of another patch's one edge, which crosses it
+    /// there: of both edges of the corner the one that is farther from parallel.
+    fn corners_on(&self, other: &Patch, slack: f64) -> Vec<[usize; 2]> {
+        let (true, &[from, to]) = (self.is_face(), &other.seen[..]) else {
+            return Vec::new();
+        };
+        let (along, n) = (to - from, self.corners.len());
+        let length = along.length();
+        let on = |&k: &usize| {
+            let arm = self.seen[k] - from;
+            let share = along.dot(arm);
+            let beyond = slack * length;
+            along.perp_dot(arm).abs() <= beyond
+                && share > beyond
+                && share < length * length - beyond
+        };
+        let steep = |[k, l]: [usize; 2]| {
+            let side = self.seen[l] - self.seen[k];
+            along.perp_dot(side).abs() / side.length()
+        };
+        let edge = |k: usize| {
+            let (before, after) = ([(k + n - 1) % n, k], [k, (k + 1) % n]);
+            match steep(before) > steep(after) {
+                true => before,
+                false => after,
+            }
+        };
+        let slanted = |&side: &[usize; 2]| steep(side) > SLANTED * length;
+        (0..n).filter(on).map(edge).filter(slanted).collect()
+    }
     /// Returns `true` for a face with a point on it.
     fn covers(&self, point: Vec2<f64>, slack: f64) -> bool {
         let inside = |[k, l]: [usize; 2]| {
@@ -122,6 +152,25 @@ fn cross([a, b]: [Vec2<f64>; 2], [c, d]: [Vec2<f64>; 2], slack: f64) -> bool {
         (x > bound && y < -bound) || (x < -bound && y > bound)
     };
     apart([a, b], c, d) && apart([c, d], a, b)
+}
+
+/// The sine of two edges from which on they have a crossing.
+const SLANTED: f64 = 1e-6;
+
+/// Returns two edges, in the order in which the product of the vectors along them points along a normal.
+fn crossing(
+    (a, first): (&[Vec3<f64>], [usize; 2]),
+    (b, second): (&[Vec3<f64>], [usize; 2]),
+    normal: Vec3<f64>,
+) -> HullFeatures {
+    let along = |points: &[Vec3<f64>], [from, to]: [usize; 2]| points[to] - points[from];
+    let product = along(a, first).cross(along(b, second));
+    let [start, end] = second;
+    let second = match product.dot(normal) < 0.0 {
+        true => [end, start],
+        false => second,
+    };
+    HullFeatures::new(FeaturePair::Edges, &first, &second)
 }
 
 /// Returns the corners of the overlap of both hulls' parts in a plane, as features that define it; the given ones if
@@ -151,27 +200,20 @@ pub(super) fn features(a: Side<'_>, b: Side<'_>, plane: &Plane, slack: f64) -> V
             }
         }
     }
+    let on_a = of_b.corners_on(&of_a, slack);
+    let on_b = of_a.corners_on(&of_b, slack);
     for [i, j] in of_a.edges() {
         for [k, l] in of_b.edges() {
-            if !cross(
-                [of_a.seen[i], of_a.seen[j]],
-                [of_b.seen[k], of_b.seen[l]],
-                slack,
-            ) {
+            let ends = [[of_a.seen[i], of_a.seen[j]], [of_b.seen[k], of_b.seen[l]]];
+            let named = on_a.contains(&[k, l]) || on_b.contains(&[i, j]);
+            if !named && !cross(ends[0], ends[1], slack) {
                 continue;
             }
-            let (first, second) = (
-                [of_a.corners[i], of_a.corners[j]],
-                [of_b.corners[k], of_b.corners[l]],
-            );
-            let along = |points: &[Vec3<f64>], [from, to]: [usize; 2]| points[to] - points[from];
-            let product = along(a.points, first).cross(along(b.points, second));
-            let [start, end] = second;
-            let second = match product.dot(normal) < 0.0 {
-                true => [end, start],
-                false => second,
-            };
-            all.push(HullFeatures::new(FeaturePair::Edges, &first, &second));
+            all.push(crossing(
+                (a.points, [i, j].map(|k| of_a.corners[k])),
+                (b.points, [k, l].map(|k| of_b.corners[k])),
+                normal,
+            ));
         }
     }
     // Needles and edges that are all but parallel may define another plane.
@@ -180,7 +222,19 @@ pub(super) fn features(a: Side<'_>, b: Side<'_>, plane: &Plane, slack: f64) -> V
         (gap - plane.gap).abs() <= 8.0 * slack
     });
     if all.is_empty() {
-        all.push(plane.features);
+        // Edges that meet at an end: of edges on a line the longest, which have the crossing.
+        let along = |points: &[Vec3<f64>], [from, to]: [usize; 2]| unit(points[to] - points[from]);
+        all.push(match (&of_a.corners[..], &of_b.corners[..]) {
+            (&[i, j], &[k, l])
+                if along(a.points, [i, j])
+                    .cross(along(b.points, [k, l]))
+                    .length()
+                    > SLANTED =>
+            {
+                crossing((a.points, [i, j]), (b.points, [k, l]), normal)
+            }
+            _ => plane.features,
+        });
     }
     all
 }

@@ -80,13 +80,7 @@ fn hulls_are_as_far_apart_as_the_oracle_says() {
             }
             // A direction errs by a rounding of the size over the gap, down to some roundings.
             let turn = 1e-7 + 4e-15 * unit / found.abs().max(8e-15 * unit);
-            // The mean of directions that differ is shorter.
-            let short = if found.abs() < 1e-12 * unit {
-                turn
-            } else {
-                1e-13
-            };
-            assert!((out.direction.length() - 1.0).abs() < short, "{}", told());
+            assert!((out.direction.length() - 1.0).abs() < 1e-13, "{}", told());
             assert!(
                 (slab(&a, &b, out.direction) - found).abs() <= turn * unit,
                 "{}",

@@ -8,6 +8,7 @@ mod curved_slopes;
 mod depths;
 mod distances;
 mod draw;
+mod endless_solids;
 mod exact;
 mod far_bounds;
 mod grazing;

@@ -38,18 +38,11 @@ macro_rules! shapes {
 }
 
 /// Pairs without a distance: any of the first with any of the second, both ways, and why.
-const HOLES: [(&[&str], &[&str], &str); 2] = [
-    (
-        &["half_space"],
-        &["half_space", "line", "ray"],
-        "shapes without end meet unless they are parallel: the distance is zero, the depth none",
-    ),
-    (
-        &["line", "ray"],
-        &["cylinder", "cone", "ellipsoid", "disc", "hull"],
-        "a search by supports needs shapes that end; a long segment has the distance",
-    ),
-];
+const HOLES: [(&[&str], &[&str], &str); 1] = [(
+    &["half_space"],
+    &["half_space", "line", "ray"],
+    "shapes without end meet unless they are parallel: the distance is zero, the depth none",
+)];
 
 #[test]
 fn every_pair_of_shapes_has_distances_but_those_that_are_named() {
@@ -91,5 +84,5 @@ fn every_pair_of_shapes_has_distances_but_those_that_are_named() {
             .filter(|pair| pair.2 == found)
             .count()
     };
-    assert_eq!((count(true), count(false)), (299, 25));
+    assert_eq!((count(true), count(false)), (319, 5));
 }
