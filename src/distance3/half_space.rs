@@ -64,6 +64,9 @@ pub(super) fn lowest_of_circle<S: Scalar>(
     (slope.length() * radius, direction(slope) * radius)
 }
 
+/// The share of a direction along the axis of a cylinder from which on an end faces it, not the side.
+const STEEP: f64 = std::f64::consts::FRAC_1_SQRT_2;
+
 /// Returns the lower of two points.
 #[inline(always)]
 fn lower<S: Scalar>(a: (S, Vec3<S>), b: (S, Vec3<S>)) -> (S, Vec3<S>) {
@@ -81,6 +84,28 @@ impl<S: Scalar> Bounded for Cylinder<S> {
         let (height, point) = lower(ends[0], ends[1]);
         (height - down, point - way)
     }
+    #[inline]
+    fn face(self, toward: Vec3<S>) -> Patch<S>
+    where
+        S: Scalar<Mask = bool>,
+    {
+        let axis = self.axis().normalize_or_zero();
+        let rise = axis.dot(toward);
+        match rise.unsigned().above(S::lit(STEEP)) {
+            true => {
+                let end = if rise.above(S::zero()) {
+                    self.end
+                } else {
+                    self.start
+                };
+                Patch::rim(end, axis, self.radius)
+            }
+            false => {
+                let ends = [self.start, self.end].map(|end| (end, self.radius));
+                Patch::side(ends, axis, toward)
+            }
+        }
+    }
 }
 
 impl<S: Scalar> Bounded for Cone<S> {
@@ -89,6 +114,23 @@ impl<S: Scalar> Bounded for Cone<S> {
         let (down, way) = lowest_of_circle(self.axis(), self.radius, normal);
         let rim = (normal.dot(self.base) - down, self.base - way);
         lower((normal.dot(self.apex), self.apex), rim)
+    }
+    #[inline]
+    fn face(self, toward: Vec3<S>) -> Patch<S>
+    where
+        S: Scalar<Mask = bool>,
+    {
+        let axis = self.axis().normalize_or_zero();
+        let rise = axis.dot(toward);
+        // The outer normal of the side that faces the direction most, by the angle between side and axis.
+        let (height, radius) = (self.axis().length(), self.radius);
+        let across = (toward - axis * rise).length();
+        let side = (across * height - rise * radius).over(height.hypot(radius));
+        match (rise.at_least(side), rise.most(side).below(S::lit(0.5))) {
+            (_, true) => Patch::Spot,
+            (true, _) => Patch::rim(self.base, axis, radius),
+            (false, _) => Patch::side([(self.apex, S::zero()), (self.base, radius)], axis, toward),
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Contact manifolds: where two shapes of space lie on each other, in several points.
 use super::apart::Apart;
-use super::facing::Patch;
+use super::facing::{Patch, across};
 use super::relation::Relation;
 use crate::predicate::order;
 use crate::scalar::most_of;
@@ -56,7 +56,10 @@ impl<S: Scalar<Mask = bool>> Contacts3<S> {
 ///
 /// Faces of segments and capsules are their axes, those of points and balls their centres, each moved by the radius along
 /// the direction: points of a face that is tilted by φ lie up to r(1 − cos φ) inside.
-/// Cylinders and cones have one point, the nearest one.
+/// Flat ends of cylinders and cones, and discs, count as regular octagons on their rims, their sides as the straight line
+/// that faces the other shape most. Ellipsoids and own shapes have one point, the nearest one. Of faces of hulls with more
+/// than sixteen corners sixteen count. Of more than eight points those are left out that take the least area along, but
+/// never the deepest one.
 ///
 /// Derivatives are those of points that are fixed on their features: corners, and crossings of edges seen along the
 /// direction. Kinks: another face, corner or edge takes part, or a gap becomes `within`. Points closer than some
@@ -197,9 +200,11 @@ fn manifold<S: Scalar<Mask = bool>>(
                     count: n,
                 },
             ] => {
-                let a = a.map(|corner| found.place(corner));
-                let b = b.map(|corner| found.place(corner));
-                faces(&mut found, &a[..m], &b[..n]);
+                let placed = |all: &[Vec3<S>]| -> Vec<Corner<S>> {
+                    all.iter().map(|&corner| found.place(corner)).collect()
+                };
+                let (a, b) = (placed(&a[..m]), placed(&b[..n]));
+                faces(&mut found, &a, &b);
             }
             [Patch::Plane, Patch::Face { corners, count }] => {
                 for &corner in &corners[..count] {
@@ -217,7 +222,9 @@ fn manifold<S: Scalar<Mask = bool>>(
         }
     }
     let slack = S::from_primal(rounding);
-    let deepest = |p: &Placed<S>| p.point.gap.at_most(relation.apart + slack);
+    // The relation of curved shapes has some roundings more.
+    let lowest = relation.apart + slack * S::lit(8.0);
+    let deepest = |p: &Placed<S>| p.point.gap.at_most(lowest);
     if !found.all.iter().any(deepest) {
         let at = found.place(relation.on_a).at.map(|x| x.primal());
         let point = ContactPoint3 {
@@ -229,14 +236,10 @@ fn manifold<S: Scalar<Mask = bool>>(
     }
     let kept = |p: &Placed<S>| p.point.gap.at_most(within.most(relation.apart + slack));
     let mut all: Vec<Placed<S>> = found.all.into_iter().filter(kept).collect();
-    while all.len() > MOST {
-        let last = (0..all.len()).reduce(|k, i| match all[k].point.gap.below(all[i].point.gap) {
-            true => i,
-            false => k,
-        });
-        all.remove(last.unwrap_or(0));
-    }
     arrange(&mut all);
+    while all.len() > MOST {
+        leave_out(&mut all);
+    }
     let mut contacts = Contacts3 {
         normal: normal.canonical(),
         count: S::lit(all.len() as f64),
@@ -254,19 +257,6 @@ fn manifold<S: Scalar<Mask = bool>>(
 
 /// The number of roundings of the coordinates by which places of one point differ.
 const ROUNDINGS: f64 = 64.0;
-
-/// Returns two directions across a normal, of length one; the derivatives are those of a turn with the normal.
-fn across<S: Scalar<Mask = bool>>(normal: Vec3<S>) -> [Vec3<S>; 2] {
-    let [x, y, z] = [normal.x, normal.y, normal.z].map(|x| x.primal().magnitude());
-    let (zero, one) = (S::zero(), S::one());
-    let helper = match (x.at_most(y) & x.at_most(z), y.at_most(z)) {
-        (true, _) => Vec3::new(one, zero, zero),
-        (_, true) => Vec3::new(zero, one, zero),
-        _ => Vec3::new(zero, zero, one),
-    };
-    let first = normal.cross(helper).normalize_or_zero();
-    [first, normal.cross(first)]
-}
 
 /// Adds the corners of the overlap of two faces.
 fn faces<S: Scalar<Mask = bool>>(found: &mut Found<S>, a: &[Corner<S>], b: &[Corner<S>]) {
@@ -373,6 +363,20 @@ fn crossing<S: Scalar<Mask = bool>>(
         let on_b = r.point + (s.point - r.point) * t;
         found.add(on_a, found.normal().dot(on_b - on_a));
     }
+}
+
+/// Removes the point without which the polygon loses the least area, but not the deepest one.
+fn leave_out<S: Scalar<Mask = bool>>(all: &mut Vec<Placed<S>>) {
+    let n = all.len();
+    let deepest = |k: usize, i: usize| match all[i].point.gap.below(all[k].point.gap) {
+        true => i,
+        false => k,
+    };
+    let deepest = (1..n).fold(0, deepest);
+    let area = |k: usize| turn(all[(k + n - 1) % n].at, all[k].at, all[(k + 1) % n].at);
+    let smaller = |k: usize, i: usize| if area(i).below(area(k)) { i } else { k };
+    let least = (0..n).filter(|&k| k != deepest).reduce(smaller);
+    all.remove(least.unwrap_or(0));
 }
 
 /// Sorts points counter-clockwise about their mean.

@@ -6,7 +6,11 @@ use super::{Curved, Placed, farthest, relate};
 use crate::arrays::Each;
 use crate::distance3::apart::Apart;
 use crate::distance3::curved::{BySupport, SupportFunction};
-use crate::distance3::hulls::{Cornered, HullBody, PointColumns, around, numbers, patch_ring};
+use crate::distance3::facing::Patch;
+use crate::distance3::half_space::Bounded;
+use crate::distance3::hulls::{
+    Cornered, HullBody, HullFace, PointColumns, around, numbers, patch_ring,
+};
 use crate::distance3::relation::Relation;
 use crate::scalar::{Guard, largest};
 use crate::shape::{Cone, Cylinder, Disc, Ellipsoid};
@@ -102,18 +106,23 @@ impl HullPieces {
     fn new(points: Vec<Vec3<f64>>) -> Self {
         let body = HullBody::of(&points, f64::EPSILON);
         let mut faces: Vec<(Named, Vec<usize>, Vec3<f64>)> = Vec::new();
-        for face in &body.faces {
-            if face.normal == Vec3::zero() {
+        let size = |face: &HullFace| {
+            let [apex, from, to] = face.plane.map(|k| points[k]);
+            (from - apex).cross(to - apex).length_squared()
+        };
+        let known = |face: &&HullFace| face.normal != Vec3::zero();
+        let mut flat: Vec<&HullFace> = body.faces.iter().filter(known).collect();
+        flat.sort_by(|p, q| size(q).total_cmp(&size(p)));
+        for face in flat {
+            // Parts of a face that is flat within rounding are one; the largest has a normal with the most digits.
+            let part = |other: &(Named, Vec<usize>, Vec3<f64>)| {
+                other.2.dot(face.normal) > 0.0 && face.ring.iter().all(|k| other.1.contains(k))
+            };
+            if faces.iter().any(part) {
                 continue;
             }
-            // A face whose corners are in a plane within rounding is one.
             let ring = patch_ring(&points, &body.corners, (face.plane[0], face.normal), FLAT);
-            let same = |other: &(Named, Vec<usize>, Vec3<f64>)| {
-                other.2.dot(face.normal) > 0.0
-                    && other.1.len() == ring.len()
-                    && ring.iter().all(|k| other.1.contains(k))
-            };
-            if ring.len() > 2 && !faces.iter().any(same) {
+            if ring.len() > 2 {
                 faces.push((Named::new(&face.plane), ring, face.normal));
             }
         }
@@ -267,6 +276,9 @@ macro_rules! hulls {
             }
             fn relation(self, other: $B) -> Relation<S> {
                 relate(self, other)
+            }
+            fn facing(&self, other: &$B, normal: Vec3<S>) -> [Patch<S>; 2] {
+                [self.face(normal), other.face(-normal)]
             }
             fn farthest(self, other: $B) -> S {
                 farthest(self, other)

@@ -38,6 +38,7 @@ mod touching;
 use super::apart::Apart;
 use super::core::Core3;
 use super::cored::{InflatedCore, axes};
+use super::facing::Patch;
 use super::half_space::Bounded;
 use super::relation::{Relation, direction, square_of_gap};
 use crate::arrays::Each;
@@ -285,6 +286,10 @@ macro_rules! apart {
                 relate(self, other)
             }
             #[inline]
+            fn facing(&self, other: &$B, normal: Vec3<S>) -> [Patch<S>; 2] {
+                [self.face(normal), other.face(-normal)]
+            }
+            #[inline]
             fn farthest(self, other: $B) -> S {
                 farthest(self, other)
             }
@@ -332,5 +337,16 @@ impl<S: Scalar> Bounded for Disc<S> {
     fn lowest(self, normal: Vec3<S>) -> (S, Vec3<S>) {
         let (down, way) = super::half_space::lowest_of_circle(self.normal, self.radius, normal);
         (normal.dot(self.center) - down, self.center - way)
+    }
+    #[inline]
+    fn face(self, toward: Vec3<S>) -> Patch<S>
+    where
+        S: Scalar<Mask = bool>,
+    {
+        let axis = self.normal.normalize_or_zero();
+        match axis.dot(toward).unsigned().below(S::lit(0.5)) {
+            true => Patch::Spot,
+            false => Patch::rim(self.center, axis, self.radius),
+        }
     }
 }

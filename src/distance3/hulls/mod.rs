@@ -25,6 +25,7 @@
 //! The search decides in `f64`, also for `f32`. Numbers over other formats have the features of the first vertices.
 mod body;
 mod expansion;
+mod facing_ring;
 mod highest_point;
 mod hull_record;
 mod hull_replay;
@@ -37,6 +38,7 @@ use super::apart::Apart;
 use super::aside;
 use super::core::Core3;
 use super::cored::InflatedCore;
+use super::facing::{Patch, SIDES};
 use super::half_space::Bounded;
 use super::near::Low;
 use super::relation::Relation;
@@ -44,7 +46,8 @@ use super::spot::{plain, vanish};
 use crate::distance::share::Best;
 use crate::scalar::Guard;
 use crate::{Hull3, Pack, Scalar, Vec3};
-pub(super) use body::Body as HullBody;
+pub(super) use body::{Body as HullBody, Face as HullFace};
+use facing_ring::facing;
 pub(super) use highest_point::PointColumns;
 pub(super) use hull_record::around;
 pub use hull_record::{FeaturePair, HullFeatures, HullRecord};
@@ -270,6 +273,10 @@ macro_rules! apart {
                 hulls_replay(&self, &other, &hulls_search(&self, &other))
             }
             #[inline]
+            fn facing(&self, other: &$B, normal: Vec3<S>) -> [Patch<S>; 2] {
+                [self.face(normal), other.face(-normal)]
+            }
+            #[inline]
             fn farthest(self, other: $B) -> S {
                 farthest(&self, &other)
             }
@@ -297,5 +304,23 @@ impl<S: Scalar, const N: usize> Bounded for Hull3<S, N> {
         });
         let Low(height, arm) = Best::least(arms).mean();
         (normal.dot(from) + height, from + arm)
+    }
+    fn face(self, toward: Vec3<S>) -> Patch<S>
+    where
+        S: Scalar<Mask = bool>,
+    {
+        let wide = numbers(&[toward]).map(|all| all[0]);
+        let points = crate::hull3::numbers(self.as_slice());
+        let ring = points
+            .zip(wide)
+            .map(|(points, toward)| facing(&points, toward, S::EPSILON));
+        let ring = ring.unwrap_or_default();
+        match ring.len() {
+            0 => Patch::Spot,
+            n => {
+                let count = n.min(SIDES);
+                Patch::polygon((0..count).map(|k| self.vertices[ring[k * n / count]]))
+            }
+        }
     }
 }

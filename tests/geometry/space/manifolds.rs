@@ -17,7 +17,7 @@ fn cube(x: f64, y: f64, z: f64) -> Obb3<f64> {
 }
 
 /// Judges what holds for every contact.
-fn judge<A, B>(a: A, b: B, within: f64) -> Contacts3<f64>
+pub fn judge<A, B>(a: A, b: B, within: f64) -> Contacts3<f64>
 where
     A: Apart<B, Scalar = f64>,
     B: Copy,
@@ -27,7 +27,7 @@ where
 }
 
 /// Judges a contact whose points may lie some way inside.
-fn judge_round<A, B>(a: A, b: B, within: f64, inside: f64) -> Contacts3<f64>
+pub fn judge_round<A, B>(a: A, b: B, within: f64, inside: f64) -> Contacts3<f64>
 where
     A: Apart<B, Scalar = f64>,
     B: Copy,

@@ -12,6 +12,7 @@ mod endless_solids;
 mod exact;
 mod far_bounds;
 mod grazing;
+mod hull_contacts;
 mod hull_draw;
 mod hull_faces;
 mod hull_oracle;
