@@ -7,10 +7,21 @@ pub(super) trait Difference: Copy {
     fn way(&self) -> Vec3<f64>;
 }
 
-impl Difference for Vec3<f64> {
+/// A corner of b less one of a, and the numbers of both.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct CornerDifference {
+    /// The vector from the corner of a to that of b.
+    pub way: Vec3<f64>,
+    /// The number of the corner of a.
+    pub a: usize,
+    /// The number of the corner of b.
+    pub b: usize,
+}
+
+impl Difference for CornerDifference {
     #[inline(always)]
     fn way(&self) -> Vec3<f64> {
-        *self
+        self.way
     }
 }
 
@@ -41,6 +52,8 @@ pub(super) struct Gap<D> {
     pub least: f64,
     /// `true` if the solids seem to have a point in common.
     pub inside: bool,
+    /// The difference that is the lowest along the vector, if nothing is inside.
+    pub low: D,
     /// Differences whose weighted mean the vector is; the first `count` matter.
     simplex: [D; 4],
     weights: [f64; 4],
@@ -55,6 +68,13 @@ const NONE: f64 = 1e-30;
 const PROVED: f64 = 1e-28;
 /// The number of steps after which it ends, right or not; hulls need about five.
 const STEPS: usize = 200;
+
+impl<D: Difference> Gap<D> {
+    /// Returns the corners of the simplex that has a common point inside; `None` if it has fewer than four.
+    pub fn around(&self) -> Option<[Vec3<f64>; 4]> {
+        (self.inside && self.count == 3).then(|| self.simplex.map(|corner| corner.way()))
+    }
+}
 
 impl Gap<PointDifference> {
     /// Returns the nearest points, of a and of b.
@@ -144,28 +164,29 @@ pub(super) fn gap<D: Difference>(lowest: impl Fn(Vec3<f64>) -> D, first: D, leas
         way,
         least,
         inside: false,
+        low: first,
         simplex: [first; 4],
         weights: [1.0, 0.0, 0.0, 0.0],
         count: 1,
     };
     let mut size = way.length_squared();
-    for _ in 0..STEPS {
+    for step in 0.. {
         let square = found.way.length_squared();
         if square <= NONE * size {
             found.inside = true;
             break;
         }
-        let low = lowest(found.way);
-        let at = low.way();
+        found.low = lowest(found.way);
+        let at = found.low.way();
         size = size.max(at.length_squared());
         let height = found.way.dot(at);
         found.least = found.least.max(height / square.sqrt());
         let simplex = &found.simplex[..found.count];
         let known = simplex.iter().any(|corner| corner.way() == at);
-        if square - height <= PROGRESS * square || known {
+        if square - height <= PROGRESS * square || known || step == STEPS {
             break;
         }
-        found.simplex[found.count] = low;
+        found.simplex[found.count] = found.low;
         let apart = found.least > 0.0 && found.least * found.least > PROVED * size;
         let Some(parts) = nearest(&found.simplex[..=found.count], apart) else {
             found.inside = true;

@@ -29,6 +29,8 @@ struct Face {
 const CORNERS: usize = 64;
 /// The sine of the least angle of faces whose normals have digits enough.
 const SLIVER: f64 = 1e-6;
+/// The least height of a tetrahedron to begin with.
+const FAT: f64 = 1e-2;
 /// The height over a face's plane that is none.
 const ABOVE: f64 = 1e-13;
 /// The least height of a corner that is not in a plane, and of other planes over the lowest one.
@@ -100,13 +102,29 @@ impl Polytope<'_> {
         let fourth = farther(self.support(up), self.support(-up), up);
         let height = up.dot(fourth - first);
         self.corners.extend([first, second, third, fourth]);
+        self.enclose(height)?;
+        (height.abs() > SLIVER).then_some(())
+    }
+    /// Begins with a tetrahedron; `None` for a flat one.
+    fn around(&mut self, corners: [Vec3<f64>; 4]) -> Option<()> {
+        let [first, second, third, fourth] = corners;
+        self.corners.extend(corners);
+        let height = (second - first).cross(third - first).dot(fourth - first);
+        self.enclose(height)?;
+        let fat = |face: &Face| {
+            let heights = corners.map(|corner| face.normal.dot(corner) - face.height);
+            heights.into_iter().fold(0.0, f64::min) < -FAT
+        };
+        self.faces.iter().all(fat).then_some(())
+    }
+    /// Adds the faces of the tetrahedron of all four corners, given the side of the last one.
+    fn enclose(&mut self, height: f64) -> Option<()> {
         // The last corner is behind the first face.
         let [b, c] = if height < 0.0 { [1, 2] } else { [2, 1] };
         self.add([0, b, c], [1, 2, 3])?;
         self.add([0, 3, b], [3, 2, 0])?;
         self.add([b, 3, c], [1, 3, 0])?;
-        self.add([c, 3, 0], [2, 1, 0])?;
-        (height.abs() > SLIVER).then_some(())
+        self.add([c, 3, 0], [2, 1, 0])
     }
     /// Extends the polytope to a point above a face.
     fn extend(&mut self, start: usize, apex: Vec3<f64>) -> Option<()> {
@@ -158,8 +176,13 @@ impl Polytope<'_> {
     }
     /// Expands the polytope until nothing is above its lowest faces, all those up to a height over the lowest one.
     /// Returns the lowest face; `None` without a proof.
-    fn expand(&mut self, clear: f64) -> Option<Face> {
-        self.start()?;
+    fn expand(&mut self, first: Option<[Vec3<f64>; 4]>, clear: f64) -> Option<Face> {
+        if first.and_then(|corners| self.around(corners)).is_none() {
+            self.corners.clear();
+            self.faces.clear();
+            self.open.clear();
+            self.start()?;
+        }
         let mut best: Option<Face> = None;
         loop {
             let (mut k, mut least) = (0, f64::INFINITY);
@@ -183,17 +206,12 @@ impl Polytope<'_> {
         }
         let best = best?;
         let left = || self.faces.iter().filter(|face| !face.gone);
-        // A closed surface with all corners behind each of its faces is that of their hull.
-        let behind = |face: &Face| {
-            let over = |&corner: &Vec3<f64>| face.normal.dot(corner) - face.height;
-            self.corners
-                .iter()
-                .all(|corner| over(corner) <= 2.0 * ABOVE)
-        };
+        // Every point of a closed surface around the origin is as far from that as the lowest of its faces.
+        let around = |face: &Face| face.height >= best.height - ABOVE;
         let another = |face: &Face| {
             face.height <= best.height + clear && (face.normal - best.normal).length() > CLEAR
         };
-        (left().all(behind) && !left().any(another)).then_some(best)
+        (left().all(around) && !left().any(another)).then_some(best)
     }
 }
 
@@ -239,6 +257,7 @@ fn top(points: &[Vec3<f64>], way: Vec3<f64>, highest: Vec3<f64>, clear: f64) -> 
 pub(super) fn deepest(
     [a, b]: [&[Vec3<f64>]; 2],
     columns: &[PointColumns; 2],
+    first: Option<[Vec3<f64>; 4]>,
     depth: f64,
     slack: f64,
 ) -> Option<Vec<HullFeatures>> {
@@ -252,7 +271,7 @@ pub(super) fn deepest(
         seen: Vec::with_capacity(CORNERS),
         border: Vec::with_capacity(CORNERS),
     };
-    let face = polytope.expand(clear)?;
+    let face = polytope.expand(first, clear)?;
     if face.height < depth {
         return None;
     }

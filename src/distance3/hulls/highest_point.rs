@@ -4,47 +4,92 @@ use crate::Vec3;
 /// The number of points that are compared at once.
 const LANES: usize = 4;
 
+/// The coordinates of some points, one list per axis.
+type Group = [[f64; LANES]; 3];
+
 /// Points in groups, each with the columns of its coordinates. The last group repeats the first point.
 #[derive(Debug)]
-pub(in crate::distance3) struct PointColumns(Vec<[[f64; LANES]; 3]>);
+pub(in crate::distance3) struct PointColumns {
+    groups: Vec<Group>,
+    /// The number of points.
+    count: usize,
+}
+
+/// Returns the heights of a group along a direction.
+#[inline(always)]
+fn heights([x, y, z]: &Group, way: Vec3<f64>) -> [f64; LANES] {
+    std::array::from_fn(|lane| way.x * x[lane] + way.y * y[lane] + way.z * z[lane])
+}
 
 impl PointColumns {
     /// Returns points relative to another one.
     pub fn new(points: &[Vec3<f64>], from: Vec3<f64>) -> Self {
-        let group = |points: &[Vec3<f64>], first: Vec3<f64>| {
-            let arm: [Vec3<f64>; LANES] =
-                std::array::from_fn(|k| *points.get(k).unwrap_or(&first) - from);
-            [arm.map(|p| p.x), arm.map(|p| p.y), arm.map(|p| p.z)]
-        };
-        let groups = points.chunks(LANES);
-        PointColumns(groups.map(|chunk| group(chunk, points[0])).collect())
+        let mut all = vec![[[0.0; LANES]; 3]; points.len().div_ceil(LANES)];
+        let padded = all.len() * LANES;
+        for k in 0..padded {
+            let arm = points[if k < points.len() { k } else { 0 }] - from;
+            let [x, y, z] = &mut all[k / LANES];
+            (x[k % LANES], y[k % LANES], z[k % LANES]) = (arm.x, arm.y, arm.z);
+        }
+        PointColumns {
+            groups: all,
+            count: points.len(),
+        }
     }
     /// Returns a point by its number.
+    #[inline]
     pub fn point(&self, k: usize) -> Vec3<f64> {
-        let [x, y, z] = self.0[k / LANES].map(|column| column[k % LANES]);
+        let [x, y, z] = self.groups[k / LANES].map(|column| column[k % LANES]);
         Vec3::new(x, y, z)
     }
-    /// Returns the number of the highest point along a direction, and the point.
+    /// Returns the number of the first of the highest points along a direction, and the point.
+    #[inline]
     pub fn highest(&self, way: Vec3<f64>) -> (usize, Vec3<f64>) {
-        let (mut most, mut at) = ([f64::NEG_INFINITY; LANES], [0_u64; LANES]);
-        for (group, [x, y, z]) in (0_u64..).zip(&self.0) {
-            for lane in 0..LANES {
-                let height = way.x * x[lane] + way.y * y[lane] + way.z * z[lane];
-                let above = height > most[lane];
-                most[lane] = if above { height } else { most[lane] };
-                at[lane] = if above { group } else { at[lane] };
+        let mut most = [f64::NEG_INFINITY; LANES];
+        for group in &self.groups {
+            let heights = heights(group, way);
+            for (most, height) in most.iter_mut().zip(heights) {
+                *most = if height > *most { height } else { *most };
             }
         }
-        let mut best = 0;
-        for lane in 1..LANES {
-            if most[lane] > most[best] {
-                best = lane;
+        let top = most.into_iter().fold(f64::NEG_INFINITY, f64::max);
+        // The same operations again have the same result.
+        let found = self.groups.iter().enumerate().find_map(|(k, group)| {
+            let heights = heights(group, way);
+            let lane = heights.iter().position(|&height| height == top)?;
+            Some(k * LANES + lane)
+        });
+        let number = found.unwrap_or(0);
+        (number, self.point(number))
+    }
+    /// Calls a function with the numbers of the points that are no lower than a height along a direction, in order.
+    #[inline]
+    pub fn above(&self, way: Vec3<f64>, least: f64, mut take: impl FnMut(usize)) {
+        for (k, group) in self.groups.iter().enumerate() {
+            let heights = heights(group, way);
+            if heights
+                .iter()
+                .fold(false, |any, &height| any | (height >= least))
+            {
+                for (lane, height) in heights.into_iter().enumerate() {
+                    if height >= least && k * LANES + lane < self.count {
+                        take(k * LANES + lane);
+                    }
+                }
             }
         }
-        let group = &self.0[at[best] as usize];
-        let [x, y, z] = [0, 1, 2].map(|axis| group[axis][best]);
-        // A point that fills the last group is the first one.
-        let number = at[best] as usize * LANES + best;
-        (number, Vec3::new(x, y, z))
+    }
+    /// Returns the middle of all points.
+    pub fn middle(&self) -> Vec3<f64> {
+        let mut sums = [[0.0; LANES]; 3];
+        for group in &self.groups {
+            for (sums, column) in sums.iter_mut().zip(group) {
+                for (sum, x) in sums.iter_mut().zip(column) {
+                    *sum += x;
+                }
+            }
+        }
+        let [x, y, z] = sums.map(|lanes| lanes.iter().sum::<f64>());
+        Vec3::new(x, y, z) * (1.0 / (self.groups.len() * LANES) as f64)
     }
 }

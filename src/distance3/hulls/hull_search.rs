@@ -1,5 +1,5 @@
 //! The search for the features of two hulls that decide about their relation.
-use super::super::gjk::{Gap, gap};
+use super::super::gjk::{CornerDifference, Gap, gap};
 use super::body::Body;
 use super::expansion;
 use super::highest_point::PointColumns;
@@ -20,33 +20,53 @@ const TIED: f64 = 8.0;
 /// The number of roundings that a distance may have if planes decide the direction.
 const TOUCH: f64 = 32.0;
 
-/// Returns the points in units of a power of two in which the largest distance from the first one is about one.
-fn scaled(a: &mut [Vec3<f64>], b: &mut [Vec3<f64>]) {
+/// Returns the points in units of a power of two in which the largest distance from the first one is about one, and as
+/// columns relative to that.
+fn scaled(a: &mut [Vec3<f64>], b: &mut [Vec3<f64>]) -> [PointColumns; 2] {
     let from = a[0];
     let size = a.iter().chain(b.iter()).fold(0.0_f64, |most, &p| {
         let arm = p - from;
         most.max(largest([arm.x, arm.y, arm.z]))
     });
     let scale = scale_of::<f64>(size);
-    for point in a.iter_mut().chain(b) {
+    for point in a.iter_mut().chain(&mut *b) {
         *point = *point * scale;
     }
+    [&*a, &*b].map(|points| PointColumns::new(points, a[0]))
+}
+
+/// Returns the nearest points of two hulls, beginning with the vector between their middles.
+fn nearest_points([a, b]: &[PointColumns; 2]) -> Gap<CornerDifference> {
+    let lowest = |way: Vec3<f64>| {
+        let (of_a, of_b) = (a.highest(way), b.highest(-way));
+        CornerDifference {
+            way: of_b.1 - of_a.1,
+            a: of_a.0,
+            b: of_b.0,
+        }
+    };
+    let way = b.middle() - a.middle();
+    let first = lowest(way);
+    let length = way.length();
+    let least = match length > 0.0 {
+        true => first.way.dot(way) / length,
+        false => 0.0,
+    };
+    gap(lowest, first, least)
 }
 
 /// Returns the features that decide about the relation of two hulls of plain numbers, which are replayed in a format
 /// with this rounding. Both have a corner at least.
 pub(super) fn search(mut a: Vec<Vec3<f64>>, mut b: Vec<Vec3<f64>>, rounding: f64) -> HullRecord {
-    scaled(&mut a, &mut b);
+    let columns = scaled(&mut a, &mut b);
     let slack = TIED * rounding;
-    let columns = [&a, &b].map(|points| PointColumns::new(points, a[0]));
-    let lowest = |way: Vec3<f64>| columns[1].highest(-way).1 - columns[0].highest(way).1;
-    let seen = gap(lowest, columns[1].point(0) - columns[0].point(0), 0.0);
+    let seen = nearest_points(&columns);
     let apart = !seen.inside && seen.least > CLEAR;
-    if apart && let Some(features) = few([&a, &b], &columns, seen, slack) {
+    if apart && let Some(features) = few([&a, &b], &columns, &seen, slack) {
         return HullRecord::new(&[features], false);
     }
     if seen.inside
-        && let Some(features) = expansion::deepest([&a, &b], &columns, CLEAR, slack)
+        && let Some(features) = expansion::deepest([&a, &b], &columns, seen.around(), CLEAR, slack)
     {
         return HullRecord::new(&features, true);
     }
@@ -87,23 +107,24 @@ fn alone(mut all: Vec<HullFeatures>) -> Vec<HullFeatures> {
     all
 }
 
-/// The corners of a hull that are the lowest along a direction, three at most.
-struct Low {
+/// The corners of a hull that are the highest along a direction, three at most.
+struct High {
     all: [usize; 3],
     count: usize,
 }
 
-impl Low {
-    /// Returns those up to a slack over the lowest point; `None` of more.
-    fn of(points: &[Vec3<f64>], way: Vec3<f64>, lowest: Vec3<f64>, slack: f64) -> Option<Self> {
+impl High {
+    /// Returns those up to a slack below the highest point along a direction; `None` of more.
+    fn of(columns: &PointColumns, way: Vec3<f64>, highest: usize, slack: f64) -> Option<Self> {
         let (mut all, mut count) = ([0; 3], 0);
-        for (k, &point) in points.iter().enumerate() {
-            if way.dot(point - lowest) <= slack {
-                *all.get_mut(count)? = k;
-                count += 1;
+        let least = way.dot(columns.point(highest)) - slack;
+        columns.above(way, least, |k| {
+            if let Some(place) = all.get_mut(count) {
+                *place = k;
             }
-        }
-        Some(Low { all, count })
+            count += 1;
+        });
+        (count <= all.len()).then_some(High { all, count })
     }
     fn corners(&self) -> &[usize] {
         &self.all[..self.count]
@@ -140,15 +161,14 @@ impl Nearest {
 fn few(
     [a, b]: [&[Vec3<f64>]; 2],
     columns: &[PointColumns; 2],
-    seen: Gap<Vec3<f64>>,
+    seen: &Gap<CornerDifference>,
     slack: f64,
 ) -> Option<HullFeatures> {
     const REACHED: f64 = 1e-12;
     let way = seen.way * (1.0 / seen.way.length());
     let low = LOW.max(4.0 * slack);
-    let (high_a, low_b) = (a[columns[0].highest(way).0], b[columns[1].highest(-way).0]);
-    let of_a = Low::of(a, -way, high_a, low)?;
-    let of_b = Low::of(b, way, low_b, low)?;
+    let of_a = High::of(&columns[0], way, seen.low.a, low)?;
+    let of_b = High::of(&columns[1], -way, seen.low.b, low)?;
     let mut all = Nearest {
         first: None,
         second: f64::INFINITY,
@@ -205,7 +225,7 @@ fn few(
         }
     }
     let near = all.first?;
-    let least = way.dot(low_b - high_a);
+    let least = way.dot(b[seen.low.b] - a[seen.low.a]);
     let alone = all.second > near.distance + slack;
     (alone && (near.distance - least).abs() <= REACHED).then_some(near.features)
 }
