@@ -99,16 +99,18 @@ fn of_segment(p: Vec3<f64>, q: Vec3<f64>) -> [f64; 2] {
     [1.0 - t, t]
 }
 
-/// Returns the weights of the point of a triangle that is nearest to the origin.
-fn of_triangle(corners: [Vec3<f64>; 3]) -> [f64; 3] {
+/// Returns the weights of the point of a triangle that is nearest to the origin, and the square of its distance.
+fn of_triangle(corners: [Vec3<f64>; 3]) -> ([f64; 3], f64) {
     let [a, b, c] = corners;
     let normal = (b - a).cross(c - a);
     let parts = [b.cross(c), c.cross(a), a.cross(b)].map(|part| part.dot(normal));
     if normal.length_squared() > 0.0 && parts.iter().all(|&part| part > 0.0) {
         let sum = parts[0] + parts[1] + parts[2];
-        return parts.map(|part| part / sum);
+        let [s, t, u] = parts.map(|part| part / sum);
+        return ([s, t, u], (a * s + b * t + c * u).length_squared());
     }
     let (mut best, mut weights) = (f64::INFINITY, [1.0, 0.0, 0.0]);
+    // All edges: of thin triangles one without the newest corner may be nearer, by rounding.
     for k in 0..3 {
         let (p, q) = (corners[k], corners[(k + 1) % 3]);
         let [s, t] = of_segment(p, q);
@@ -119,7 +121,7 @@ fn of_triangle(corners: [Vec3<f64>; 3]) -> [f64; 3] {
             (weights[k], weights[(k + 1) % 3]) = (s, t);
         }
     }
-    weights
+    (weights, best)
 }
 
 /// Returns the weights of the point of a simplex that is nearest to the origin; `None` if the origin is inside, which
@@ -128,7 +130,7 @@ fn nearest<D: Difference>(simplex: &[D], apart: bool) -> Option<[f64; 4]> {
     let mut weights = [0.0; 4];
     match simplex {
         [p, q] => weights[..2].copy_from_slice(&of_segment(p.way(), q.way())),
-        [p, q, r] => weights[..3].copy_from_slice(&of_triangle([p.way(), q.way(), r.way()])),
+        [p, q, r] => weights[..3].copy_from_slice(&of_triangle([p.way(), q.way(), r.way()]).0),
         [p, q, r, s] => {
             let all = [p.way(), q.way(), r.way(), s.way()];
             let (mut best, mut inside) = (f64::INFINITY, true);
@@ -139,10 +141,9 @@ fn nearest<D: Difference>(simplex: &[D], apart: bool) -> Option<[f64; 4]> {
                     continue;
                 }
                 inside = false;
-                let parts = of_triangle([all[i], all[j], all[k]]);
-                let at = all[i] * parts[0] + all[j] * parts[1] + all[k] * parts[2];
-                if at.length_squared() < best {
-                    best = at.length_squared();
+                let (parts, square) = of_triangle([all[i], all[j], all[k]]);
+                if square < best {
+                    best = square;
                     weights = [0.0; 4];
                     (weights[i], weights[j], weights[k]) = (parts[0], parts[1], parts[2]);
                 }

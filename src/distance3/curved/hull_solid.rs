@@ -9,7 +9,8 @@ use crate::distance3::curved::{BySupport, SupportFunction};
 use crate::distance3::facing::Patch;
 use crate::distance3::half_space::Bounded;
 use crate::distance3::hulls::{
-    Cornered, HullBody, HullFace, PointColumns, around, numbers, patch_ring,
+    CornerList, Cornered, FixedCorners, HullBody, HullFace, PointColumns, around, numbers,
+    patch_ring,
 };
 use crate::distance3::relation::Relation;
 use crate::scalar::{Guard, largest};
@@ -248,7 +249,7 @@ impl<S: Scalar, const N: usize> Placed<S> for HullInUnits<S, N> {
         })
     }
     fn plain(&self) -> Option<HullPieces> {
-        numbers(&self.points[..self.count]).map(HullPieces::new)
+        numbers(&FixedCorners(&self.points[..self.count])).map(HullPieces::new)
     }
 }
 
@@ -258,10 +259,13 @@ impl<S: Scalar<Mask = bool>, const N: usize> Curved for Hull3<S, N> {
         self.vertices[0]
     }
     fn in_units(&self, from: Vec3<S>, scale: S) -> HullInUnits<S, N> {
-        let points = self.corners_from(from).map(|point| point * scale);
+        let corners = self.corners_from(from);
+        let count = corners.count();
+        // Behind the last vertex the first is repeated.
+        let at = |k: usize| corners.at(if k < count { k } else { 0 }) * scale;
         HullInUnits {
-            points,
-            count: self.count_of_corners(&points),
+            points: std::array::from_fn(at),
+            count,
         }
     }
 }

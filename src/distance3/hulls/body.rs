@@ -68,7 +68,7 @@ impl<'a> Body<'a> {
                 let from = points[ring[0]];
                 up += (points[pair[0]] - from).cross(points[pair[1]] - from);
             }
-            let plane = spanning(points, ring, up);
+            let plane = spanning(|k| points[k], ring, up);
             let [apex, from, to] = plane.map(|k| points[k]);
             let normal = across(from - apex, to - apex);
             let product = (from - apex).cross(to - apex);

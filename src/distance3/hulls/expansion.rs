@@ -209,7 +209,7 @@ impl Polytope<'_> {
         // Every point of a closed surface around the origin is as far from that as the lowest of its faces.
         let around = |face: &Face| face.height >= best.height - ABOVE;
         let another = |face: &Face| {
-            face.height <= best.height + clear && (face.normal - best.normal).length() > CLEAR
+            face.height <= best.height + clear && (face.normal - best.normal).length() > SLIVER
         };
         (left().all(around) && !left().any(another)).then_some(best)
     }
@@ -217,11 +217,16 @@ impl Polytope<'_> {
 
 /// Returns the points that are the highest along a direction, and how high they are; `None` where rounding may decide
 /// which ones they are, or which of them are corners.
-fn top(points: &[Vec3<f64>], way: Vec3<f64>, highest: Vec3<f64>, clear: f64) -> Option<Vec<usize>> {
+fn top(
+    points: &[Vec3<f64>],
+    way: Vec3<f64>,
+    highest: Vec3<f64>,
+    (slack, clear): (f64, f64),
+) -> Option<Vec<usize>> {
     let mut all = Vec::with_capacity(4);
     for (k, &point) in points.iter().enumerate() {
         let below = way.dot(highest - point);
-        if below.abs() <= 2.0 * ABOVE {
+        if below.abs() <= slack.max(2.0 * ABOVE) {
             all.push(k);
         } else if below <= clear {
             return None;
@@ -277,14 +282,22 @@ pub(super) fn deepest(
     }
     let normal = -face.normal;
     let [high, low] = [columns[0].highest(normal).0, columns[1].highest(-normal).0];
-    let of_a = top(a, normal, a[high], clear)?;
-    let of_b = top(b, -normal, b[low], clear)?;
+    let of_a = top(a, normal, a[high], (slack, clear))?;
+    let of_b = top(b, -normal, b[low], (slack, clear))?;
     let one = |pair, first: &[usize], second: &[usize]| {
         Some(vec![HullFeatures::new(pair, first, second)])
     };
     match (&of_a[..], &of_b[..]) {
-        (&[_], &[_, _, _]) => one(FeaturePair::CornerFace, &of_a, &spanning(b, &of_b, -normal)),
-        (&[_, _, _], &[_]) => one(FeaturePair::FaceCorner, &spanning(a, &of_a, normal), &of_b),
+        (&[_], &[_, _, _]) => one(
+            FeaturePair::CornerFace,
+            &of_a,
+            &spanning(|k| b[k], &of_b, -normal),
+        ),
+        (&[_, _, _], &[_]) => one(
+            FeaturePair::FaceCorner,
+            &spanning(|k| a[k], &of_a, normal),
+            &of_b,
+        ),
         (&[i, j], &[k, l]) => {
             let (u, v) = (a[j] - a[i], b[l] - b[k]);
             let product = u.cross(v);

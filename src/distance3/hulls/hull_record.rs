@@ -114,26 +114,30 @@ impl HullRecord {
 /// Returns the three of some corners of a face that span the largest triangle, nearly: the two farthest from each
 /// other and the one farthest from their line. The first is opposite to the longest side; they are counter-clockwise
 /// seen from the side to which `up` points.
-pub(super) fn spanning(points: &[Vec3<f64>], face: &[usize], up: Vec3<f64>) -> [usize; 3] {
+pub(super) fn spanning(
+    at: impl Fn(usize) -> Vec3<f64>,
+    face: &[usize],
+    up: Vec3<f64>,
+) -> [usize; 3] {
     let (mut ends, mut longest) = ([face[0]; 2], -1.0);
     for (k, &i) in face.iter().enumerate() {
         for &j in &face[k + 1..] {
-            let square = (points[j] - points[i]).length_squared();
+            let square = (at(j) - at(i)).length_squared();
             if square > longest {
                 (ends, longest) = ([i, j], square);
             }
         }
     }
     let [from, to] = ends;
-    let along = points[to] - points[from];
+    let along = at(to) - at(from);
     let (mut apex, mut widest) = (from, -1.0);
     for &k in face {
-        let square = along.cross(points[k] - points[from]).length_squared();
+        let square = along.cross(at(k) - at(from)).length_squared();
         if k != from && k != to && square > widest {
             (apex, widest) = (k, square);
         }
     }
-    let normal = (points[from] - points[apex]).cross(points[to] - points[apex]);
+    let normal = (at(from) - at(apex)).cross(at(to) - at(apex));
     match normal.dot(up) < 0.0 {
         true => [apex, to, from],
         false => [apex, from, to],
@@ -153,7 +157,7 @@ pub(in crate::distance3) fn around(
     point: Vec3<f64>,
 ) -> [usize; 3] {
     let n = ring.len();
-    let mut best = (spanning(points, ring, up), -1.0);
+    let mut best = (spanning(|k| points[k], ring, up), -1.0);
     let side = |p: usize, q: usize| {
         let (p, q) = (points[p], points[q]);
         above.dot((q - p).cross(point - p))
@@ -181,5 +185,5 @@ pub(in crate::distance3) fn around(
             }
         }
     }
-    spanning(points, &best.0, up)
+    spanning(|k| points[k], &best.0, up)
 }

@@ -5,6 +5,7 @@ use super::super::near::{Edge, edge_near};
 use super::super::relation::{Relation, direction};
 use super::super::simplex::{SimplexCore, TriangleCore, on_face};
 use super::super::spot::{CoreFeatures, Pull, Spot, plain};
+use super::CornerList;
 use super::hull_record::{FeaturePair, HullFeatures, HullRecord};
 use crate::arrays::Each;
 use crate::distance::edge::scale_of;
@@ -209,9 +210,9 @@ fn related<S: Scalar>(
 }
 
 /// Returns the corners of a feature in units of their size.
-fn placed<S: Scalar>(all: &[Vec3<S>], names: [u8; 3], scale: S) -> Corners<S> {
-    let at = |name: u8| all.get(usize::from(name)).copied();
-    names.each_as(|name| at(name).unwrap_or(Vec3::zero()) * scale)
+fn placed<S: Scalar>(all: &impl CornerList<S>, names: [u8; 3], scale: S) -> Corners<S> {
+    let count = all.count();
+    names.each_as(|name| all.at(usize::from(name).min(count - 1)) * scale)
 }
 
 /// Returns the mean of directions with length one: in a gap that is mostly rounding they differ. Any mean of directions
@@ -228,7 +229,11 @@ fn lengthened<S: Scalar>(mean: Vec3<S>, first: Vec3<S>) -> Vec3<S> {
 
 /// Returns the relation of two hulls from the record of a search, in the mean of the features that tie. Where several
 /// planes do, direction and points are those of the first.
-pub(super) fn replay<S: Scalar>(a: &[Vec3<S>], b: &[Vec3<S>], record: &HullRecord) -> Relation<S> {
+pub(super) fn replay<S: Scalar>(
+    a: &impl CornerList<S>,
+    b: &impl CornerList<S>,
+    record: &HullRecord,
+) -> Relation<S> {
     let all = record.features();
     let one = S::one();
     let from = placed(a, all[0].a, one)[0];

@@ -13,8 +13,12 @@ use crate::scalar::largest;
 
 /// The share of the size above which hulls are certainly apart, or overlap.
 const CLEAR: f64 = 1e-3;
+/// The share of the size above which hulls are apart whose nearest features are proved, and so many roundings.
+const APART: f64 = 1e-7;
 /// The height over the lowest corner below which a corner may be nearest, where hulls are clearly apart.
 const LOW: f64 = 1e-11;
+/// The error of heights along a vector of length one.
+const DIGITS: f64 = 8.0 * f64::EPSILON;
 /// The number of roundings by which distances may differ that are equal.
 const TIED: f64 = 8.0;
 /// The number of roundings that a distance may have if planes decide the direction.
@@ -62,7 +66,8 @@ pub(super) fn search(mut a: Vec<Vec3<f64>>, mut b: Vec<Vec3<f64>>, rounding: f64
     let slack = TIED * rounding;
     let seen = nearest_points(&columns);
     let apart = !seen.inside && seen.least > CLEAR;
-    if apart && let Some(features) = few([&a, &b], &columns, &seen, slack) {
+    let proves = !seen.inside && seen.least > APART.max(4.0 * TOUCH * rounding);
+    if proves && let Some(features) = few(&columns, &seen, slack) {
         return HullRecord::new(&[features], false);
     }
     if seen.inside
@@ -159,16 +164,17 @@ impl Nearest {
 /// Returns the nearest features of hulls that are apart, of the few corners that are the nearest along the vector
 /// between them; `None` for more corners, for ties, and where the bound from below is not reached.
 fn few(
-    [a, b]: [&[Vec3<f64>]; 2],
-    columns: &[PointColumns; 2],
+    [a, b]: &[PointColumns; 2],
     seen: &Gap<CornerDifference>,
     slack: f64,
 ) -> Option<HullFeatures> {
     const REACHED: f64 = 1e-12;
-    let way = seen.way * (1.0 / seen.way.length());
-    let low = LOW.max(4.0 * slack);
-    let of_a = High::of(&columns[0], way, seen.low.a, low)?;
-    let of_b = High::of(&columns[1], -way, seen.low.b, low)?;
+    let length = seen.way.length();
+    let way = seen.way * (1.0 / length);
+    // A short vector has few digits.
+    let low = LOW.max(4.0 * slack).max(DIGITS / length);
+    let of_a = High::of(a, way, seen.low.a, low)?;
+    let of_b = High::of(b, -way, seen.low.b, low)?;
     let mut all = Nearest {
         first: None,
         second: f64::INFINITY,
@@ -176,10 +182,10 @@ fn few(
     for &i in of_a.corners() {
         for &j in of_b.corners() {
             let features = HullFeatures::new(FeaturePair::Corners, &[i], &[j]);
-            all.add((b[j] - a[i]).length(), features);
+            all.add((b.point(j) - a.point(i)).length(), features);
         }
         for side in of_b.sides() {
-            if let Some(distance) = from_edge(side.map(|k| b[k]), a[i]) {
+            if let Some(distance) = from_edge(side.map(|k| b.point(k)), a.point(i)) {
                 all.add(
                     distance,
                     HullFeatures::new(FeaturePair::CornerEdge, &[i], &side),
@@ -189,7 +195,7 @@ fn few(
     }
     for side in of_a.sides() {
         for &j in of_b.corners() {
-            if let Some(distance) = from_edge(side.map(|k| a[k]), b[j]) {
+            if let Some(distance) = from_edge(side.map(|k| a.point(k)), b.point(j)) {
                 all.add(
                     distance,
                     HullFeatures::new(FeaturePair::EdgeCorner, &side, &[j]),
@@ -197,15 +203,15 @@ fn few(
             }
         }
         for other in of_b.sides() {
-            if let Some(distance) = of_edges(side.map(|k| a[k]), other.map(|k| b[k])) {
-                all.add(distance, edges(a, side, b, other));
+            if let Some(distance) = of_edges(side.map(|k| a.point(k)), other.map(|k| b.point(k))) {
+                all.add(distance, edges(|k| a.point(k), side, |k| b.point(k), other));
             }
         }
     }
     if let Some(corners) = of_a.face() {
-        let face = spanning(a, &corners, way);
+        let face = spanning(|k| a.point(k), &corners, way);
         for &j in of_b.corners() {
-            if let Some(distance) = over(face.map(|k| a[k]), b[j]) {
+            if let Some(distance) = over(face.map(|k| a.point(k)), b.point(j)) {
                 all.add(
                     distance,
                     HullFeatures::new(FeaturePair::FaceCorner, &face, &[j]),
@@ -214,9 +220,9 @@ fn few(
         }
     }
     if let Some(corners) = of_b.face() {
-        let face = spanning(b, &corners, -way);
+        let face = spanning(|k| b.point(k), &corners, -way);
         for &i in of_a.corners() {
-            if let Some(distance) = over(face.map(|k| b[k]), a[i]) {
+            if let Some(distance) = over(face.map(|k| b.point(k)), a.point(i)) {
                 all.add(
                     distance,
                     HullFeatures::new(FeaturePair::CornerFace, &[i], &face),
@@ -225,7 +231,7 @@ fn few(
         }
     }
     let near = all.first?;
-    let least = way.dot(b[seen.low.b] - a[seen.low.a]);
+    let least = way.dot(seen.low.way);
     let alone = all.second > near.distance + slack;
     (alone && (near.distance - least).abs() <= REACHED).then_some(near.features)
 }

@@ -53,20 +53,57 @@ pub(super) use hull_record::around;
 pub use hull_record::{FeaturePair, HullFeatures, HullRecord};
 pub(super) use patch::ring as patch_ring;
 
+/// The corners of a shape.
+pub(crate) trait CornerList<S: Scalar> {
+    /// Returns their number, which is not zero.
+    fn count(&self) -> usize;
+    /// Returns a corner, by a number below that.
+    fn at(&self, k: usize) -> Vec3<S>;
+}
+
+/// Corners that are computed at once.
+pub(crate) struct FixedCorners<A>(pub A);
+
+impl<S: Scalar, A: AsRef<[Vec3<S>]>> CornerList<S> for FixedCorners<A> {
+    #[inline]
+    fn count(&self) -> usize {
+        self.0.as_ref().len()
+    }
+    #[inline]
+    fn at(&self, k: usize) -> Vec3<S> {
+        self.0.as_ref()[k]
+    }
+}
+
+/// Vertices, each relative to a point when it is read.
+pub(crate) struct HullCorners<'a, S> {
+    vertices: &'a [Vec3<S>],
+    from: Vec3<S>,
+}
+
+impl<S: Scalar> CornerList<S> for HullCorners<'_, S> {
+    #[inline]
+    fn count(&self) -> usize {
+        self.vertices.len()
+    }
+    #[inline]
+    fn at(&self, k: usize) -> Vec3<S> {
+        self.vertices[k] - self.from
+    }
+}
+
 /// A convex shape with corners: their hull, inflated by a radius.
 pub(crate) trait Cornered: Copy + Pack<Scalar: Scalar> {
-    /// The corners.
-    type Corners: AsRef<[Vec3<Self::Scalar>]>;
+    /// The corners relative to a point.
+    type Corners<'a>: CornerList<Self::Scalar>
+    where
+        Self: 'a;
     /// `true` if the radius may be other than zero.
     const ROUNDED: bool;
     /// Returns the centre, if the corners are computed from one.
     fn middle(&self) -> Option<Vec3<Self::Scalar>>;
     /// Returns the corners relative to a point.
-    fn corners_from(&self, from: Vec3<Self::Scalar>) -> Self::Corners;
-    /// Returns the number of corners, or less if the last ones repeat the first.
-    fn count_of_corners(&self, corners: &Self::Corners) -> usize {
-        corners.as_ref().len()
-    }
+    fn corners_from(&self, from: Vec3<Self::Scalar>) -> Self::Corners<'_>;
     /// Returns the radius of the inflation.
     fn inflation(&self) -> Self::Scalar;
     /// Returns a guard with its numbers.
@@ -80,15 +117,18 @@ pub(crate) trait Cornered: Copy + Pack<Scalar: Scalar> {
 }
 
 impl<A: InflatedCore> Cornered for A {
-    type Corners = <A::Core as Core3<A::Scalar>>::Corners;
+    type Corners<'a>
+        = FixedCorners<<A::Core as Core3<A::Scalar>>::Corners>
+    where
+        A: 'a;
     const ROUNDED: bool = A::ROUND;
     #[inline]
     fn middle(&self) -> Option<Vec3<A::Scalar>> {
         A::Core::CENTERED.then(|| self.core().anchor())
     }
     #[inline]
-    fn corners_from(&self, from: Vec3<A::Scalar>) -> Self::Corners {
-        self.core().placed(from, A::Scalar::one()).corners()
+    fn corners_from(&self, from: Vec3<A::Scalar>) -> Self::Corners<'_> {
+        FixedCorners(self.core().placed(from, A::Scalar::one()).corners())
     }
     #[inline]
     fn inflation(&self) -> A::Scalar {
@@ -103,28 +143,24 @@ impl<A: InflatedCore> Cornered for A {
 }
 
 impl<S: Scalar, const N: usize> Cornered for Hull3<S, N> {
-    type Corners = [Vec3<S>; N];
+    type Corners<'a>
+        = HullCorners<'a, S>
+    where
+        S: 'a;
     const ROUNDED: bool = false;
     #[inline]
     fn middle(&self) -> Option<Vec3<S>> {
         None
     }
-    /// Returns the vertices; behind the last one the first is repeated.
     #[inline]
-    fn corners_from(&self, from: Vec3<S>) -> [Vec3<S>; N] {
+    fn corners_from(&self, from: Vec3<S>) -> HullCorners<'_, S> {
         const {
             assert!(0 < N && N <= 256, "records have eight bits for a corner");
         }
-        let count = self.count.clamp(1, N);
-        let mut all = self.vertices;
-        for (k, corner) in all.iter_mut().enumerate() {
-            *corner = self.vertices[if k < count { k } else { 0 }] - from;
+        HullCorners {
+            vertices: &self.vertices[..self.count.clamp(1, N)],
+            from,
         }
-        all
-    }
-    #[inline]
-    fn count_of_corners(&self, _: &[Vec3<S>; N]) -> usize {
-        self.count.clamp(1, N)
     }
     #[inline]
     fn inflation(&self) -> S {
@@ -148,12 +184,18 @@ fn origin<S: Scalar, A: Cornered<Scalar = S>, B: Cornered<Scalar = S>>(a: &A, b:
 }
 
 /// Returns the corners as plain numbers, exactly; `None` where one is not finite, or of another format.
-pub(super) fn numbers<S: Scalar>(corners: &[Vec3<S>]) -> Option<Vec<Vec3<f64>>> {
-    let wide = |Vec3 { x, y, z }: &Vec3<S>| {
+pub(super) fn numbers<S: Scalar>(corners: &impl CornerList<S>) -> Option<Vec<Vec3<f64>>> {
+    let count = corners.count();
+    let mut all = Vec::with_capacity(count);
+    for k in 0..count {
+        let Vec3 { x, y, z } = corners.at(k);
         let point = Vec3::new(x.widened()?, y.widened()?, z.widened()?);
-        point.is_finite().then_some(point)
-    };
-    corners.iter().map(wide).collect()
+        if !point.is_finite() {
+            return None;
+        }
+        all.push(point);
+    }
+    Some(all)
 }
 
 /// Returns the features that decide about the relation of a hull and another shape with corners. Those of shapes that
@@ -167,9 +209,7 @@ where
 {
     let from = origin(a, b);
     let (of_a, of_b) = (a.corners_from(from), b.corners_from(from));
-    let (m, n) = (a.count_of_corners(&of_a), b.count_of_corners(&of_b));
-    let (a, b) = (&of_a.as_ref()[..m], &of_b.as_ref()[..n]);
-    let record = match (numbers(a), numbers(b)) {
+    let record = match (numbers(&of_a), numbers(&of_b)) {
         (Some(a), Some(b)) => hull_search::search(a, b, S::format().epsilon()),
         _ => HullRecord::new(&[], false),
     };
@@ -206,7 +246,7 @@ where
 {
     let from = origin(a, b);
     let (of_a, of_b) = (a.corners_from(from), b.corners_from(from));
-    let found = hull_replay::replay(of_a.as_ref(), of_b.as_ref(), record);
+    let found = hull_replay::replay(&of_a, &of_b, record);
     let growth = vanish(a.widening(found.normal) + b.widening(found.normal));
     let by_growth = found.square.root() * growth;
     let found = Relation {
@@ -216,18 +256,22 @@ where
         on_a: from + found.on_a,
         on_b: from + found.on_b,
     };
-    let ways = |corners: &[Vec3<S>]| -> Vec<Vec3<S::Primal>> {
-        let from = plain(corners[0]);
-        corners.iter().map(|&corner| plain(corner) - from).collect()
-    };
     match A::ROUNDED || B::ROUNDED {
         true => {
-            let ways = [ways(of_a.as_ref()), ways(of_b.as_ref())].concat();
+            let mut ways = ways_of(&of_a);
+            ways.extend(ways_of(&of_b));
             let aside = aside::across(ways.iter().copied());
             found.inflated(a.inflation(), b.inflation(), aside)
         }
         false => found,
     }
+}
+
+/// Returns the vectors from the first corner to all.
+fn ways_of<S: Scalar>(corners: &impl CornerList<S>) -> Vec<Vec3<S::Primal>> {
+    let from = plain(corners.at(0));
+    let way = |k: usize| plain(corners.at(k)) - from;
+    (0..corners.count()).map(way).collect()
 }
 
 /// Returns a guard of the numbers of two shapes.
@@ -249,10 +293,10 @@ where
 {
     let from = origin(a, b);
     let (of_a, of_b) = (a.corners_from(from), b.corners_from(from));
-    let pairs = of_a.as_ref().iter().flat_map(|&p| {
-        let others = of_b.as_ref().iter();
-        others.map(move |&q| {
-            let length = (q - p).length();
+    let pairs = (0..of_a.count()).flat_map(|i| {
+        let (p, all) = (of_a.at(i), &of_b);
+        (0..all.count()).map(move |j| {
+            let length = (all.at(j) - p).length();
             Best::of(length, length)
         })
     });
@@ -296,7 +340,7 @@ impl<S: Scalar, const N: usize> Bounded for Hull3<S, N> {
     }
     #[inline]
     fn lowest(self, normal: Vec3<S>) -> (S, Vec3<S>) {
-        let from = self.corners_from(Vec3::zero())[0];
+        let from = self.corners_from(Vec3::zero()).at(0);
         let arms = self.as_slice().iter().map(|&corner| {
             let arm = corner - from;
             let height = normal.dot(arm);
@@ -309,7 +353,7 @@ impl<S: Scalar, const N: usize> Bounded for Hull3<S, N> {
     where
         S: Scalar<Mask = bool>,
     {
-        let wide = numbers(&[toward]).map(|all| all[0]);
+        let wide = numbers(&FixedCorners([toward])).map(|all| all[0]);
         let points = crate::hull3::numbers(self.as_slice());
         let ring = points
             .zip(wide)

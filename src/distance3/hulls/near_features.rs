@@ -157,7 +157,10 @@ pub(super) fn nearest(a: &Body<'_>, b: &Body<'_>, slack: f64) -> (Vec<Near>, f64
         for second in &b.edges {
             let others = second.ends.map(|k| b.points[k]);
             if let Some(distance) = of_edges(ends, others) {
-                best.add(distance, edges(a.points, first.ends, b.points, second.ends));
+                best.add(
+                    distance,
+                    edges(|k| a.points[k], first.ends, |k| b.points[k], second.ends),
+                );
             }
         }
     }
@@ -169,13 +172,13 @@ pub(super) fn nearest(a: &Body<'_>, b: &Body<'_>, slack: f64) -> (Vec<Near>, f64
 
 /// Returns two edges in the order in which the product of the vectors along them points from a to b.
 pub(super) fn edges(
-    a: &[Vec3<f64>],
+    a: impl Fn(usize) -> Vec3<f64>,
     first: [usize; 2],
-    b: &[Vec3<f64>],
+    b: impl Fn(usize) -> Vec3<f64>,
     second: [usize; 2],
 ) -> HullFeatures {
-    let (from, to) = (a[first[0]], b[second[0]]);
-    let product = (a[first[1]] - from).cross(b[second[1]] - to);
+    let (from, to) = (a(first[0]), b(second[0]));
+    let product = (a(first[1]) - from).cross(b(second[1]) - to);
     let [start, end] = second;
     let second = match product.dot(to - from) < 0.0 {
         true => [end, start],
