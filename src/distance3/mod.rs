@@ -1,12 +1,12 @@
 //! Distances between shapes of space: points ([`Vec3`](crate::Vec3)), [`Segment3`](crate::Segment3),
 //! [`Triangle3`](crate::Triangle3), [`Tetrahedron`](crate::Tetrahedron), [`Aabb3`](crate::Aabb3),
 //! [`YawBox3`](crate::YawBox3), [`Obb3`](crate::Obb3), [`RoundBox3`](crate::RoundBox3), [`Sphere`](crate::Sphere) and
-//! [`Capsule3`](crate::Capsule3), any two of them; half-spaces ([`Plane3`](crate::Plane3)) and all of these,
-//! [`Cylinder`](crate::Cylinder) and [`Cone`](crate::Cone); points and balls and cylinders and cones. Lines and rays
-//! ([`Line3`](crate::Line3), [`Ray3`](crate::Ray3)), each other and any of the first ten. Convex hulls
-//! ([`Hull3`](crate::Hull3)), each other, any of the first ten and half-spaces: by a search ([`hulls`]). Cylinders,
-//! cones, [`Ellipsoid`](crate::Ellipsoid), [`Disc`](crate::Disc) and own shapes by their support functions
-//! ([`BySupport`]), each other, any of the first ten and half-spaces: by another search ([`curved`]).
+//! [`Capsule3`](crate::Capsule3), any two of them; points and balls and [`Cylinder`](crate::Cylinder) and
+//! [`Cone`](crate::Cone). Convex hulls ([`Hull3`](crate::Hull3)), each other and any of the first ten: by a search
+//! ([`hulls`]). Cylinders, cones, [`Ellipsoid`](crate::Ellipsoid), [`Disc`](crate::Disc) and own shapes by their support
+//! functions ([`BySupport`]), each other, hulls and any of the first ten: by another search ([`curved`]). Half-spaces
+//! ([`Plane3`](crate::Plane3)), lines and rays ([`Line3`](crate::Line3), [`Ray3`](crate::Ray3)), and all of these; lines
+//! and rays each other.
 //!
 //! ```
 //! use geograd::{Obb3, Rotation3, Vec3, distance3::signed_distance};
@@ -61,9 +61,9 @@
 //!
 //! Two hulls have D Q S C P f, a half-space and a hull d q S c P. Cylinders, cones, ellipsoids, discs and own shapes have
 //! d q s c p f among themselves, and d q s c p from half-spaces; pairs that [`curved`] searches have methods for one item
-//! at a time alone, not for batches. Hulls and curved shapes have no distance from each other. Lines and rays have d q s c
-//! p among themselves, any two D, two lines C, too. For a solid, the part of them near it counts; its ends are rounded as
-//! the solid's corners are. Rays, lines and segments against solids: [`intersection3`](crate::intersection3).
+//! at a time alone, not for batches. So have hulls and curved shapes d q s c p f, and lines and rays d q s c p from both.
+//! Lines and rays have d q s c p among themselves, any two D, two lines C, too. For a solid, the part of them near it
+//! counts; its ends are rounded as the solid's corners are. Rays, lines and segments against solids: [`intersection3`](crate::intersection3).
 //!
 //! # Derivatives
 //!

@@ -1,5 +1,6 @@
 //! Distances of curved shapes of space: ellipsoids, cylinders, cones, discs, and own shapes by their support functions
-//! ([`BySupport`]), from each other and from every shape that is the hull of a few corners with a radius.
+//! ([`BySupport`]), from each other, from convex hulls, and from every shape that is the hull of a few corners with a
+//! radius.
 //!
 //! Plain numbers decide which smooth pieces touch along the normal from one shape to the other: the side, a rim or an
 //! end of a cylinder, the side, the rim, the base or the apex of a cone, the surface of an ellipsoid, a corner, an edge

@@ -9,7 +9,8 @@
 //! Features that are equally near, within a few roundings of the size, share the derivative and the point equally: for
 //! parallel faces all corners of their overlap, crossings of edges included. Of more than sixteen the first sixteen
 //! do. Planes that are equally deep share the derivative; direction and points are those of the first. Of repeated
-//! vertices the first has the derivative, which is one of those between the one-sided ones.
+//! vertices the first has the derivative, which is one of those between the one-sided ones. In a gap that is mostly
+//! rounding the direction is the mean of those of the features, with length one.
 //!
 //! ```
 //! use geograd::distance3::{penetration, signed_distance};
