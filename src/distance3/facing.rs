@@ -7,6 +7,11 @@ use crate::{Scalar, Vec3};
 pub(super) const SIDES: usize = 16;
 /// The corners by which a flat end of a cylinder or a cone, or a disc, counts: a regular octagon on the rim.
 const RIM: usize = 8;
+/// The sines of the eighths of a turn.
+const EIGHTHS: [f64; RIM] = {
+    use std::f64::consts::FRAC_1_SQRT_2 as HALF;
+    [0.0, HALF, 1.0, HALF, 0.0, -HALF, -1.0, -HALF]
+};
 
 /// The face of a shape that faces another one, as a convex polygon.
 #[doc(hidden)]
@@ -56,8 +61,8 @@ impl<S: Scalar<Mask = bool>> Patch<S> {
     pub(super) fn rim(center: Vec3<S>, axis: Vec3<S>, radius: S) -> Self {
         let [x, y] = across(axis);
         Self::polygon((0..RIM).map(|k| {
-            let (sin, cos) = (k as f64 * std::f64::consts::TAU / RIM as f64).sin_cos();
-            center + (x * S::lit(cos) + y * S::lit(sin)) * radius
+            let along = |k: usize| S::lit(EIGHTHS[k % RIM]);
+            center + (x * along(k + 2) + y * along(k)) * radius
         }))
     }
     /// Returns the straight line on the side of a round shape, by its middle points and radii, that faces a direction.

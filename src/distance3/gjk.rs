@@ -203,11 +203,12 @@ pub(super) fn gap<D: Difference>(lowest: impl Fn(Vec3<f64>) -> D, first: D, leas
         if next.length_squared() >= square {
             break;
         }
-        let count = std::mem::replace(&mut found.count, 0);
-        for k in 0..=count {
-            if parts[k] > 0.0 {
+        // Corners beyond the last one have no part.
+        found.count = 0;
+        for (k, part) in parts.into_iter().enumerate() {
+            if part > 0.0 {
                 found.simplex[found.count] = found.simplex[k];
-                found.weights[found.count] = parts[k];
+                found.weights[found.count] = part;
                 found.count += 1;
             }
         }

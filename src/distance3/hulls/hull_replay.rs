@@ -219,7 +219,7 @@ fn placed<S: Scalar>(all: &impl CornerList<S>, names: [u8; 3], scale: S) -> Corn
 /// that separate hulls does so, too. Of opposite ones the first counts.
 fn lengthened<S: Scalar>(mean: Vec3<S>, first: Vec3<S>) -> Vec3<S> {
     let square = mean.length_squared();
-    let whole = S::lit(1.0 - 64.0 * S::EPSILON);
+    let whole = S::one() - S::rounding(64.0, 1);
     let opposite = square.below(S::lit(0.25));
     let safe = S::select(opposite, S::one(), square);
     let unit = mean * S::one().over(safe.root());

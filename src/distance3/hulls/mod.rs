@@ -358,7 +358,7 @@ impl<S: Scalar, const N: usize> Bounded for Hull3<S, N> {
         let points = crate::hull3::numbers(self.as_slice());
         let ring = points
             .zip(wide)
-            .map(|(points, toward)| facing(&points, toward, S::EPSILON));
+            .map(|(points, toward)| facing(&points, toward, S::format().epsilon()));
         let ring = ring.unwrap_or_default();
         match ring.len() {
             0 => Patch::Spot,
