@@ -135,6 +135,7 @@ pub mod motion;
 pub mod overlap;
 pub mod overlap3;
 pub mod overlap_polygon;
+pub mod overlap_solid;
 pub mod pack;
 #[doc = include_str!("paper.md")]
 pub mod paper {}

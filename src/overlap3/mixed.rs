@@ -8,7 +8,7 @@ use crate::shape::{Aabb3, Obb3, YawBox3};
 use crate::{Fixed, Scalar};
 
 /// Boxes that overlap another kind of box: every pair of [`Aabb3`], [`YawBox3`] and [`Obb3`]. The pair is
-/// measured as boxes of the more general kind.
+/// measured as boxes of the more general kind. Other bodies are those of [`overlap_solid`](crate::overlap_solid).
 #[doc(hidden)]
 pub trait Overlaps<B> {
     /// The number type of the boxes.

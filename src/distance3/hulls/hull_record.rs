@@ -114,7 +114,7 @@ impl HullRecord {
 /// Returns the three of some corners of a face that span the largest triangle, nearly: the two farthest from each
 /// other and the one farthest from their line. The first is opposite to the longest side; they are counter-clockwise
 /// seen from the side to which `up` points.
-pub(super) fn spanning(
+pub(crate) fn spanning(
     at: impl Fn(usize) -> Vec3<f64>,
     face: &[usize],
     up: Vec3<f64>,

@@ -51,6 +51,7 @@ pub(super) use body::{Body as HullBody, Face as HullFace};
 use facing_ring::facing;
 pub(super) use highest_point::PointColumns;
 pub(super) use hull_record::around;
+pub(crate) use hull_record::spanning;
 pub use hull_record::{FeaturePair, HullFeatures, HullRecord};
 pub(super) use patch::ring as patch_ring;
 

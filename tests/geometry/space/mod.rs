@@ -33,5 +33,8 @@ mod revolved_slopes;
 mod shapes;
 mod slopes;
 mod solid_borders;
+mod solid_slopes;
+mod solid_volumes;
 mod thin;
+mod volume_oracle;
 mod walls;

@@ -1,0 +1,315 @@
+//! The search for the volume that two bodies share: it cuts one of them by the planes of the other.
+use super::cut::{CutFace, CutPoint, CutPoints, FaceOwner, cut, cut_ring};
+use super::cutting_planes::{Bounds, CutPlane, PlaneNumbers, unit};
+use crate::Vec3;
+use crate::scalar::largest;
+
+/// The second of two bodies.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Other<'a, S> {
+    /// The corners of a body.
+    Corners(&'a [Vec3<S>]),
+    /// The half-space behind a plane: its normal and offset.
+    HalfSpace(Vec3<S>, S),
+}
+
+/// A part of the surface of an intersection.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Piece {
+    /// The triangle in which it lies: its corners, of the body that is cut or of the other one.
+    pub on: Option<[usize; 3]>,
+    /// `true` if the triangle is the other body's.
+    pub of_other: bool,
+    /// Its corners, counter-clockwise seen from outside.
+    pub ring: Vec<usize>,
+}
+
+/// What a record says.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Decisions {
+    /// `true` if the second body is cut by the first.
+    pub exchanged: bool,
+    /// `true` for bodies with equal corners.
+    pub same: bool,
+    /// `true` if there are two descriptions of the surface, of which points of both bodies' faces belong to the one's
+    /// and to the other's.
+    pub twice: bool,
+    /// The number of corners of the body that is cut.
+    pub corners: usize,
+    /// The triangles of the surface of the body that is cut, and of the other one.
+    pub triangles: [Vec<[usize; 3]>; 2],
+    /// The planes that cut.
+    pub planes: Vec<CutPlane>,
+    /// The points behind the corners.
+    pub points: Vec<CutPoint>,
+    /// The surface of the intersection; empty where nothing is shared.
+    pub pieces: Vec<Piece>,
+    /// The number of pieces of the first description, if there are two.
+    pub first: usize,
+}
+
+impl Decisions {
+    /// Returns `true` if the body that is cut has a volume.
+    pub fn has_volume(&self) -> bool {
+        !self.triangles[0].is_empty()
+    }
+    /// Leaves out the second description of the surface.
+    pub fn leave_second(&mut self) {
+        self.pieces.truncate(self.first);
+        self.twice = false;
+        self.keep_used();
+    }
+    /// Keeps the points that the pieces need, and numbers them anew.
+    fn keep_used(&mut self) {
+        let corners = self.corners;
+        let mut used = vec![false; corners + self.points.len()];
+        for &k in self.pieces.iter().flat_map(|piece| &piece.ring) {
+            used[k] = true;
+        }
+        // The ends have lower numbers than a point between them.
+        for (k, &[i, j, _]) in self.points.iter().enumerate().rev() {
+            if used[corners + k] {
+                (used[i], used[j]) = (true, true);
+            }
+        }
+        let mut names: Vec<usize> = (0..corners).collect();
+        let mut next = corners;
+        for &used in &used[corners..] {
+            names.push(next);
+            next += usize::from(used);
+        }
+        let all = std::mem::take(&mut self.points);
+        for (k, [i, j, plane]) in all.into_iter().enumerate() {
+            if used[corners + k] {
+                self.points.push([names[i], names[j], plane]);
+            }
+        }
+        for name in self.pieces.iter_mut().flat_map(|piece| &mut piece.ring) {
+            *name = names[*name];
+        }
+    }
+}
+
+impl CutPlane {
+    fn numbers(self, points: &[Vec3<f64>], all: &[PlaneNumbers]) -> Option<PlaneNumbers> {
+        match self {
+            CutPlane::Face(corners) => PlaneNumbers::through(points, corners),
+            CutPlane::Across([from, to], face) => {
+                let along = points[to] - points[from];
+                let normal = unit(along.cross(all[face].normal))?;
+                Some(PlaneNumbers {
+                    normal,
+                    at: points[from],
+                })
+            }
+            CutPlane::HalfSpace => None,
+        }
+    }
+}
+
+/// Returns the largest distance of corners from the first along an axis.
+fn extent(points: &[Vec3<f64>]) -> f64 {
+    let arm = |&p: &Vec3<f64>| p - points[0];
+    let size = |v: Vec3<f64>| largest([v.x, v.y, v.z]);
+    points.iter().map(|p| size(arm(p))).fold(0.0, f64::max)
+}
+
+/// Returns the decisions for the volume that a body shares with another one. Corners within two roundings of the size,
+/// `epsilon` each, of a plane of the other lie in it.
+pub(super) fn search(a: &[Vec3<f64>], b: Other<'_, f64>, epsilon: f64) -> Decisions {
+    let mut found = Decisions::default();
+    let bounds_a = Bounds::of(a, epsilon);
+    match b {
+        Other::HalfSpace(normal, offset) => {
+            let Some(bounds) = bounds_a else {
+                return found;
+            };
+            let Some(direction) = unit(normal) else {
+                return found;
+            };
+            // The point of the plane that is nearest to the origin.
+            let size = largest([normal.x, normal.y, normal.z]);
+            let scaled = normal * (1.0 / size);
+            let at = scaled * (offset / size / scaled.length_squared());
+            found.triangles[0] = bounds.triangles.clone();
+            found.planes.push(CutPlane::HalfSpace);
+            let plane = PlaneNumbers {
+                normal: direction,
+                at,
+            };
+            intersect(&mut found, (a, &bounds), (&[plane], None), epsilon);
+        }
+        Other::Corners(b) => {
+            let bounds_b = Bounds::of(b, epsilon);
+            found.exchanged = extent(b) < extent(a);
+            let all = [bounds_a, bounds_b];
+            let [bounds_a, bounds_b] = match found.exchanged {
+                false => all,
+                true => {
+                    let [a, b] = all;
+                    [b, a]
+                }
+            };
+            let (cut, by) = if found.exchanged { (b, a) } else { (a, b) };
+            for (triangles, bounds) in found.triangles.iter_mut().zip([&bounds_a, &bounds_b]) {
+                if let Some(bounds) = bounds {
+                    *triangles = bounds.triangles.clone();
+                }
+            }
+            let (Some(bounds_a), Some(bounds_b)) = (bounds_a, bounds_b) else {
+                return found;
+            };
+            found.same = a == b;
+            if found.same {
+                return found;
+            }
+            let mut planes = Vec::new();
+            for &(corners, _) in &bounds_b.planes {
+                let Some(plane) = PlaneNumbers::through(by, corners) else {
+                    continue;
+                };
+                found.planes.push(CutPlane::Face(corners));
+                planes.push(plane);
+            }
+            intersect(
+                &mut found,
+                (cut, &bounds_a),
+                (&planes, Some((by, &bounds_b))),
+                epsilon,
+            );
+        }
+    }
+    found
+}
+
+/// Cuts a body by planes, faces of another body if that is given.
+fn intersect(
+    found: &mut Decisions,
+    (a, bounds): (&[Vec3<f64>], &Bounds),
+    (planes, by): (&[PlaneNumbers], Option<(&[Vec3<f64>], &Bounds)>),
+    epsilon: f64,
+) {
+    let mut points = CutPoints::of(a);
+    let mut planes = planes.to_vec();
+    let limit = 2.0 * epsilon * extent(a);
+    let (mut first, touched) = surface(&mut points, bounds, &planes, limit);
+    // Where faces of both are in one plane, points of the surface belong to either.
+    let mut second = Vec::new();
+    if touched {
+        second = surface(&mut points, bounds, &planes, -limit).0;
+        // Bodies that merely touch share nothing.
+        if second.is_empty() {
+            first.clear();
+        }
+    }
+    found.twice = !second.is_empty();
+    let mut pieces = Vec::new();
+    let faces = first.len();
+    for (count, face) in first.into_iter().chain(second).enumerate() {
+        if count == faces {
+            found.first = pieces.len();
+        }
+        match (face.owner, by) {
+            (FaceOwner::Triangle(k), _) => pieces.push(Piece {
+                on: Some(bounds.triangles[k]),
+                of_other: false,
+                ring: face.ring,
+            }),
+            (FaceOwner::Plane(_), None) => pieces.push(Piece {
+                on: None,
+                of_other: true,
+                ring: face.ring,
+            }),
+            (FaceOwner::Plane(number), Some((corners, bounds))) => {
+                let mut shared = Shared {
+                    found,
+                    points: &mut points,
+                    planes: &mut planes,
+                };
+                shared.among_triangles(&mut pieces, (number, &face), (corners, bounds));
+            }
+        }
+    }
+    found.corners = a.len();
+    found.points = points.origins;
+    found.pieces = pieces;
+    found.keep_used();
+}
+
+/// Returns the surface of a body cut by planes, and whether a corner is within the limit of one.
+fn surface(
+    points: &mut CutPoints,
+    bounds: &Bounds,
+    planes: &[PlaneNumbers],
+    limit: f64,
+) -> (Vec<CutFace>, bool) {
+    let own = bounds.triangles.iter().enumerate();
+    let mut faces: Vec<CutFace> = own
+        .map(|(k, corners)| CutFace {
+            owner: FaceOwner::Triangle(k),
+            ring: corners.to_vec(),
+        })
+        .collect();
+    let mut touched = false;
+    for numbered in planes.iter().enumerate() {
+        touched |= cut(points, &mut faces, numbered, limit);
+        if faces.is_empty() {
+            break;
+        }
+    }
+    (faces, touched)
+}
+
+/// The intersection so far.
+struct Shared<'a> {
+    found: &'a mut Decisions,
+    points: &'a mut CutPoints,
+    planes: &'a mut Vec<PlaneNumbers>,
+}
+
+impl Shared<'_> {
+    /// Adds the pieces of a face that lie in each triangle of its plane.
+    fn among_triangles(
+        &mut self,
+        pieces: &mut Vec<Piece>,
+        (number, face): (usize, &CutFace),
+        (corners, bounds): (&[Vec3<f64>], &Bounds),
+    ) {
+        let CutPlane::Face(named) = self.found.planes[number] else {
+            return;
+        };
+        let Some((_, group)) = bounds.planes.iter().find(|(corners, _)| *corners == named) else {
+            return;
+        };
+        for &k in group {
+            let triangle = bounds.triangles[k];
+            let mut ring = face.ring.clone();
+            for edge in 0..3 {
+                if !bounds.inner[k][edge] || ring.is_empty() {
+                    continue;
+                }
+                let ends = [triangle[edge], triangle[(edge + 1) % 3]];
+                let across = CutPlane::Across(ends, number);
+                let known = self.found.planes.iter().position(|&plane| plane == across);
+                let place = match (known, across.numbers(corners, self.planes)) {
+                    (Some(place), _) => place,
+                    (None, None) => continue,
+                    (None, Some(numbers)) => {
+                        self.found.planes.push(across);
+                        self.planes.push(numbers);
+                        self.planes.len() - 1
+                    }
+                };
+                let plane = self.planes[place];
+                ring = cut_ring(self.points, &ring, (place, &plane));
+            }
+            if ring.len() > 2 {
+                pieces.push(Piece {
+                    on: Some(triangle),
+                    of_other: true,
+                    ring,
+                });
+            }
+        }
+    }
+}
