@@ -25,6 +25,7 @@
 //! | --- | --- |
 //! | measure overlap of boxes | [`overlap`], [`Obb2::iou`], [`Aabb2::iou`] |
 //! | measure overlap of boxes in space | [`overlap3`], [`Obb3::iou`], [`YawBox3::iou`] |
+//! | measure overlap of hulls, tetrahedra and half-spaces, and sections of them | [`overlap_solid`] |
 //! | score boxes in space that may be apart | [`iou3`]: GIoU, DIoU, CIoU, EIoU, separation |
 //! | compare boxes as Gaussians | [`gaussian`]: Wasserstein, Kullback-Leibler, ProbIoU, KFIoU |
 //! | convert boxes of other libraries and data sets | [`convention`] |

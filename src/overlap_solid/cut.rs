@@ -1,5 +1,5 @@
 //! A body that planes cut: its surface stays closed whatever the signs of heights are, so that rounding cannot tear it.
-use super::cutting_planes::PlaneNumbers;
+use super::cutting_planes::{Plane, between};
 use crate::Vec3;
 use std::collections::HashMap;
 
@@ -23,12 +23,17 @@ impl CutPoints {
             origins: Vec::new(),
         }
     }
-    /// Adds the point in a plane between two points, of which each is on another side. Returns its number.
-    fn between(&mut self, [i, j]: [usize; 2], heights: [f64; 2], plane: usize) -> usize {
-        let share = heights[0] / (heights[0] - heights[1]);
-        let (p, q) = (self.places[i], self.places[j]);
-        self.places.push(p + (q - p) * share.clamp(0.0, 1.0));
-        self.origins.push([i, j, plane]);
+    /// Adds the point in a plane between two points, of which each is on another side; one of them that is within the
+    /// limit of the plane, so that no rounding moves it along an edge in the plane. Returns its number.
+    fn add(&mut self, ends: [usize; 2], heights: [f64; 2], plane: usize, limit: f64) -> usize {
+        let near = (0..2).find(|&k| heights[k].abs() <= limit);
+        let (ends, heights) = match near {
+            Some(k) => ([ends[k]; 2], [heights[k]; 2]),
+            None => (ends, heights),
+        };
+        self.places
+            .push(between(ends.map(|k| self.places[k]), heights));
+        self.origins.push([ends[0], ends[1], plane]);
         self.places.len() - 1
     }
 }
@@ -55,9 +60,10 @@ pub(super) enum FaceOwner {
 pub(super) fn cut(
     points: &mut CutPoints,
     faces: &mut Vec<CutFace>,
-    (number, plane): (usize, &PlaneNumbers),
+    (number, plane): (usize, &Plane<f64>),
     limit: f64,
 ) -> bool {
+    let limit = limit * plane.normal.length();
     let mut heights: HashMap<usize, f64> = HashMap::new();
     for &k in faces.iter().flat_map(|face| &face.ring) {
         heights
@@ -85,9 +91,9 @@ pub(super) fn cut(
                 continue;
             }
             let ends = [from.min(to), from.max(to)];
-            let at = *crossings
-                .entry(ends)
-                .or_insert_with(|| points.between(ends, ends.map(|end| heights[&end]), number));
+            let at = *crossings.entry(ends).or_insert_with(|| {
+                points.add(ends, ends.map(|end| heights[&end]), number, limit.abs())
+            });
             face.ring.push(at);
             if is_out(to) {
                 left = Some(at);
@@ -129,7 +135,7 @@ pub(super) fn cut(
 pub(super) fn cut_ring(
     points: &mut CutPoints,
     ring: &[usize],
-    (number, plane): (usize, &PlaneNumbers),
+    (number, plane): (usize, &Plane<f64>),
 ) -> Vec<usize> {
     let height = |points: &CutPoints, k: usize| plane.height(points.places[k]);
     let mut kept = Vec::with_capacity(ring.len() + 1);
@@ -144,7 +150,7 @@ pub(super) fn cut_ring(
                 true => ([from, to], [here, there]),
                 false => ([to, from], [there, here]),
             };
-            kept.push(points.between(ends.0, ends.1, number));
+            kept.push(points.add(ends.0, ends.1, number, 0.0));
         }
     }
     kept

@@ -1,9 +1,9 @@
 //! The planes that bound a body, and the triangles of its surface.
-use crate::Vec3;
+use crate::distance::edge::scale_of;
 use crate::distance3::hulls::spanning;
 use crate::hull3::Surface;
 use crate::scalar::largest;
-use crate::twofold;
+use crate::{Scalar, Vec3, twofold};
 use std::collections::HashMap;
 
 /// The part of a rounding of the size by which faces of one plane deviate from it: corners of rotated boxes do by
@@ -22,40 +22,89 @@ pub(super) enum CutPlane {
     HalfSpace,
 }
 
-/// A plane as numbers: points p with `normal · (p − at) > 0` are outside.
+/// The second of two bodies.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct PlaneNumbers {
-    pub normal: Vec3<f64>,
-    pub at: Vec3<f64>,
+pub(crate) enum Other<'a, S> {
+    /// The corners of a body.
+    Corners(&'a [Vec3<S>]),
+    /// The half-space behind a plane: its normal and offset.
+    HalfSpace(Vec3<S>, S),
 }
 
-impl PlaneNumbers {
-    /// Returns the plane through three corners; `None` for those on a line. The normal has length one.
-    pub fn through(points: &[Vec3<f64>], corners: [usize; 3]) -> Option<Self> {
-        let [a, b, c] = corners.map(|k| points[k]);
-        let normal = unit(across([a, b], [a, c]))?;
-        Some(PlaneNumbers { normal, at: a })
+/// A plane that cuts: points p with `normal · (p − at) > 0` are outside. The normal has any length.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Plane<S> {
+    pub normal: Vec3<S>,
+    at: Vec3<S>,
+}
+
+impl<S: Scalar> Plane<S> {
+    /// Returns the plane through three corners, counter-clockwise seen from outside.
+    fn through(points: &[Vec3<S>], corners: [usize; 3]) -> Self {
+        Plane {
+            normal: normal_of(corners.map(|k| points[k])),
+            at: points[corners[0]],
+        }
     }
-    /// Returns the height of a point over the plane.
-    pub fn height(&self, point: Vec3<f64>) -> f64 {
+    /// Returns a plane behind others.
+    pub fn of(plane: CutPlane, other: Other<'_, S>, planes: &[Self]) -> Self {
+        match (plane, other) {
+            (CutPlane::Face(corners), Other::Corners(points)) => Self::through(points, corners),
+            (CutPlane::Across([from, to], face), Other::Corners(points)) => {
+                let along = points[to] - points[from];
+                let along = along * scale_of::<S>(largest([along.x, along.y, along.z]));
+                Plane {
+                    normal: along.cross(planes[face].normal),
+                    at: points[from],
+                }
+            }
+            (_, Other::HalfSpace(normal, offset)) => {
+                let scale = scale_of::<S>(largest([normal.x, normal.y, normal.z]));
+                let normal = normal * scale;
+                let share = (offset * scale).over(normal.length_squared());
+                Plane {
+                    normal,
+                    at: normal * share,
+                }
+            }
+            (CutPlane::HalfSpace, Other::Corners(points)) => Plane {
+                normal: Vec3::zero(),
+                at: points[0],
+            },
+        }
+    }
+    /// Returns the height of a point over the plane, times the length of the normal.
+    pub fn height(&self, point: Vec3<S>) -> S {
         self.normal.dot(point - self.at)
     }
 }
 
-/// Returns a vector of length one along another; `None` for zero.
-pub(super) fn unit(v: Vec3<f64>) -> Option<Vec3<f64>> {
-    let size = largest([v.x, v.y, v.z]);
-    (size > 0.0).then(|| {
-        let v = v * (1.0 / size);
-        v * (1.0 / v.length())
-    })
+/// Returns the point between two others at which a height is zero.
+pub(super) fn between<S: Scalar>([p, q]: [Vec3<S>; 2], [here, there]: [S; 2]) -> Vec3<S> {
+    let (zero, one, fall) = (S::zero(), S::one(), here - there);
+    let level = fall.equals(zero);
+    let share = here.over(S::select(level, one, fall));
+    let share = S::select(share.below(zero) | level, zero, share);
+    let share = S::select(one.below(share), one, share);
+    p + (q - p) * share
 }
 
-/// Returns the cross product of two vectors between points, from exact differences.
-fn across([a, b]: [Vec3<f64>; 2], [c, d]: [Vec3<f64>; 2]) -> Vec3<f64> {
-    let way = |from, to| twofold::way(twofold::deep(from), twofold::deep(to), 1.0);
-    let [x, y, z] = twofold::cross(way(a, b), way(c, d));
-    Vec3::new(x, y, z)
+/// Returns the normal of a triangle, of any length: its value from exact differences, so that a thin triangle's has all
+/// digits.
+fn normal_of<S: Scalar>([a, b, c]: [Vec3<S>; 3]) -> Vec3<S> {
+    let (u, v) = (b - a, c - a);
+    let scale = |v: Vec3<S>| scale_of::<S>(largest([v.x, v.y, v.z]));
+    let (unit_u, unit_v) = (scale(u), scale(v));
+    let slopes = (u * unit_u).cross(v * unit_v);
+    let way = |from: Vec3<S>, to: Vec3<S>, unit: S| {
+        twofold::way(twofold::deep(from), twofold::deep(to), unit.primal())
+    };
+    let [x, y, z] = twofold::cross(way(a, b, unit_u), way(a, c, unit_v));
+    Vec3::new(
+        slopes.x.with_primal(x),
+        slopes.y.with_primal(y),
+        slopes.z.with_primal(z),
+    )
 }
 
 /// The surface of a body with a volume.
@@ -114,10 +163,9 @@ impl Bounds {
                 continue;
             }
             let own = planes.len();
-            let Some(plane) = PlaneNumbers::through(points, triangles[first]) else {
-                continue;
-            };
-            let in_plane = |k: usize| plane.height(points[k]).abs() <= NOISE * epsilon * size;
+            let plane = Plane::through(points, triangles[first]);
+            let limit = NOISE * epsilon * size * plane.normal.length();
+            let in_plane = |k: usize| plane.height(points[k]).abs() <= limit;
             if surface.corners.iter().all(|&k| in_plane(k)) {
                 return None;
             }

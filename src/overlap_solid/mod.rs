@@ -50,9 +50,10 @@ use crate::overlap3::Overlaps;
 use crate::scalar::largest;
 use crate::shape::{Aabb3, Hull3, Obb3, Plane3, Tetrahedron, YawBox3};
 use crate::{Pack, Scalar, Vec3};
+use cutting_planes::Other;
 pub use volume_record::VolumeRecord;
 use volume_replay::SharedVolume;
-use volume_search::{Decisions, Other};
+use volume_search::Decisions;
 
 /// A convex body with flat faces, or a half-space, as the second of two.
 pub(crate) trait Cuts: Copy + Pack<Scalar: Scalar> {

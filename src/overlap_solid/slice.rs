@@ -1,6 +1,7 @@
 //! The polygon in which a plane cuts a body.
+use super::cutting_planes::Other;
 use super::volume_replay::{planes_of, points_of};
-use super::volume_search::{Decisions, Other};
+use super::volume_search::Decisions;
 use crate::{Scalar, Vec3};
 
 /// Returns the area in which a plane cuts a body, from decisions; the mean of both sides where a face is in the plane.

@@ -4,11 +4,11 @@
 //! corner moves the triangles around it, each point by its share of the corner, and the volume grows by the move's
 //! height over the surface, summed over the part of a triangle that is surface of the intersection. No point at which
 //! an edge crosses a face is differentiated for them, so that nearly parallel faces lose no digits.
-use super::cutting_planes::CutPlane;
-use super::volume_search::{Decisions, Other, Piece};
+use super::cutting_planes::{Other, Plane, between};
+use super::volume_search::{Decisions, Piece};
 use crate::distance::edge::scale_of;
 use crate::scalar::{largest, power_of_largest};
-use crate::{Scalar, Vec3, twofold};
+use crate::{Scalar, Vec3};
 use std::any::TypeId;
 
 /// Volumes in cubed units of length.
@@ -28,62 +28,11 @@ fn is_plain<S: Scalar>() -> bool {
     number == TypeId::of::<f32>() || number == TypeId::of::<f64>()
 }
 
-/// Returns the normal of a triangle, of any length: its value from exact differences, so that a thin triangle's has all
-/// digits.
-fn normal_of<S: Scalar>([a, b, c]: [Vec3<S>; 3]) -> Vec3<S> {
-    let (u, v) = (b - a, c - a);
-    let scale = |v: Vec3<S>| scale_of::<S>(largest([v.x, v.y, v.z]));
-    let (unit_u, unit_v) = (scale(u), scale(v));
-    let slopes = (u * unit_u).cross(v * unit_v);
-    let way = |from: Vec3<S>, to: Vec3<S>, unit: S| {
-        twofold::way(twofold::deep(from), twofold::deep(to), unit.primal())
-    };
-    let [x, y, z] = twofold::cross(way(a, b, unit_u), way(a, c, unit_v));
-    Vec3::new(
-        slopes.x.with_primal(x),
-        slopes.y.with_primal(y),
-        slopes.z.with_primal(z),
-    )
-}
-
-/// A plane that cuts: points p with `normal · (p − at) > 0` are outside.
-#[derive(Clone, Copy)]
-pub(super) struct Plane<S> {
-    normal: Vec3<S>,
-    at: Vec3<S>,
-}
-
 /// Returns the planes that cut.
 pub(super) fn planes_of<S: Scalar>(found: &Decisions, other: Other<'_, S>) -> Vec<Plane<S>> {
     let mut planes: Vec<Plane<S>> = Vec::with_capacity(found.planes.len());
     for &plane in &found.planes {
-        planes.push(match (plane, other) {
-            (CutPlane::Face(corners), Other::Corners(points)) => Plane {
-                normal: normal_of(corners.map(|k| points[k])),
-                at: points[corners[0]],
-            },
-            (CutPlane::Across([from, to], face), Other::Corners(points)) => {
-                let along = points[to] - points[from];
-                let along = along * scale_of::<S>(largest([along.x, along.y, along.z]));
-                Plane {
-                    normal: along.cross(planes[face].normal),
-                    at: points[from],
-                }
-            }
-            (_, Other::HalfSpace(normal, offset)) => {
-                let scale = scale_of::<S>(largest([normal.x, normal.y, normal.z]));
-                let normal = normal * scale;
-                let share = (offset * scale).over(normal.length_squared());
-                Plane {
-                    normal,
-                    at: normal * share,
-                }
-            }
-            (CutPlane::HalfSpace, Other::Corners(points)) => Plane {
-                normal: Vec3::zero(),
-                at: points[0],
-            },
-        });
+        planes.push(Plane::of(plane, other, &planes));
     }
     planes
 }
@@ -96,15 +45,9 @@ pub(super) fn points_of<S: Scalar>(
 ) -> Vec<Vec3<S>> {
     let mut points = corners.to_vec();
     for &[i, j, plane] in &found.points {
-        let (p, q, Plane { normal, at }) = (points[i], points[j], planes[plane]);
-        let (here, there) = (normal.dot(p - at), normal.dot(q - at));
-        let fall = here - there;
-        let level = fall.equals(S::zero());
-        let share = here.over(S::select(level, S::one(), fall));
-        let (zero, one) = (S::zero(), S::one());
-        let share = S::select(share.below(zero) | level, zero, share);
-        let share = S::select(one.below(share), one, share);
-        points.push(p + (q - p) * share);
+        let plane = planes[plane];
+        let (p, q) = (points[i], points[j]);
+        points.push(between([p, q], [plane.height(p), plane.height(q)]));
     }
     points
 }

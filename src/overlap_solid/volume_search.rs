@@ -1,17 +1,8 @@
 //! The search for the volume that two bodies share: it cuts one of them by the planes of the other.
 use super::cut::{CutFace, CutPoint, CutPoints, FaceOwner, cut, cut_ring};
-use super::cutting_planes::{Bounds, CutPlane, PlaneNumbers, unit};
+use super::cutting_planes::{Bounds, CutPlane, Other, Plane};
 use crate::Vec3;
 use crate::scalar::largest;
-
-/// The second of two bodies.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Other<'a, S> {
-    /// The corners of a body.
-    Corners(&'a [Vec3<S>]),
-    /// The half-space behind a plane: its normal and offset.
-    HalfSpace(Vec3<S>, S),
-}
 
 /// A part of the surface of an intersection.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -90,23 +81,6 @@ impl Decisions {
     }
 }
 
-impl CutPlane {
-    fn numbers(self, points: &[Vec3<f64>], all: &[PlaneNumbers]) -> Option<PlaneNumbers> {
-        match self {
-            CutPlane::Face(corners) => PlaneNumbers::through(points, corners),
-            CutPlane::Across([from, to], face) => {
-                let along = points[to] - points[from];
-                let normal = unit(along.cross(all[face].normal))?;
-                Some(PlaneNumbers {
-                    normal,
-                    at: points[from],
-                })
-            }
-            CutPlane::HalfSpace => None,
-        }
-    }
-}
-
 /// Returns the largest distance of corners from the first along an axis.
 fn extent(points: &[Vec3<f64>]) -> f64 {
     let arm = |&p: &Vec3<f64>| p - points[0];
@@ -120,28 +94,18 @@ pub(super) fn search(a: &[Vec3<f64>], b: Other<'_, f64>, epsilon: f64) -> Decisi
     let mut found = Decisions::default();
     let bounds_a = Bounds::of(a, epsilon);
     match b {
-        Other::HalfSpace(normal, offset) => {
+        Other::HalfSpace(..) => {
             let Some(bounds) = bounds_a else {
                 return found;
             };
-            let Some(direction) = unit(normal) else {
-                return found;
-            };
-            // The point of the plane that is nearest to the origin.
-            let size = largest([normal.x, normal.y, normal.z]);
-            let scaled = normal * (1.0 / size);
-            let at = scaled * (offset / size / scaled.length_squared());
             found.triangles[0] = bounds.triangles.clone();
             found.planes.push(CutPlane::HalfSpace);
-            let plane = PlaneNumbers {
-                normal: direction,
-                at,
-            };
+            let plane = Plane::of(CutPlane::HalfSpace, b, &[]);
             intersect(&mut found, (a, &bounds), (&[plane], None), epsilon);
         }
-        Other::Corners(b) => {
-            let bounds_b = Bounds::of(b, epsilon);
-            found.exchanged = extent(b) < extent(a);
+        Other::Corners(corners) => {
+            let bounds_b = Bounds::of(corners, epsilon);
+            found.exchanged = extent(corners) < extent(a);
             let all = [bounds_a, bounds_b];
             let [bounds_a, bounds_b] = match found.exchanged {
                 false => all,
@@ -150,7 +114,10 @@ pub(super) fn search(a: &[Vec3<f64>], b: Other<'_, f64>, epsilon: f64) -> Decisi
                     [b, a]
                 }
             };
-            let (cut, by) = if found.exchanged { (b, a) } else { (a, b) };
+            let (cut, by) = match found.exchanged {
+                true => (corners, a),
+                false => (a, corners),
+            };
             for (triangles, bounds) in found.triangles.iter_mut().zip([&bounds_a, &bounds_b]) {
                 if let Some(bounds) = bounds {
                     *triangles = bounds.triangles.clone();
@@ -159,17 +126,15 @@ pub(super) fn search(a: &[Vec3<f64>], b: Other<'_, f64>, epsilon: f64) -> Decisi
             let (Some(bounds_a), Some(bounds_b)) = (bounds_a, bounds_b) else {
                 return found;
             };
-            found.same = a == b;
+            found.same = a == corners;
             if found.same {
                 return found;
             }
             let mut planes = Vec::new();
             for &(corners, _) in &bounds_b.planes {
-                let Some(plane) = PlaneNumbers::through(by, corners) else {
-                    continue;
-                };
-                found.planes.push(CutPlane::Face(corners));
-                planes.push(plane);
+                let plane = CutPlane::Face(corners);
+                found.planes.push(plane);
+                planes.push(Plane::of(plane, Other::Corners(by), &planes));
             }
             intersect(
                 &mut found,
@@ -186,7 +151,7 @@ pub(super) fn search(a: &[Vec3<f64>], b: Other<'_, f64>, epsilon: f64) -> Decisi
 fn intersect(
     found: &mut Decisions,
     (a, bounds): (&[Vec3<f64>], &Bounds),
-    (planes, by): (&[PlaneNumbers], Option<(&[Vec3<f64>], &Bounds)>),
+    (planes, by): (&[Plane<f64>], Option<(&[Vec3<f64>], &Bounds)>),
     epsilon: f64,
 ) {
     let mut points = CutPoints::of(a);
@@ -240,7 +205,7 @@ fn intersect(
 fn surface(
     points: &mut CutPoints,
     bounds: &Bounds,
-    planes: &[PlaneNumbers],
+    planes: &[Plane<f64>],
     limit: f64,
 ) -> (Vec<CutFace>, bool) {
     let own = bounds.triangles.iter().enumerate();
@@ -264,7 +229,7 @@ fn surface(
 struct Shared<'a> {
     found: &'a mut Decisions,
     points: &'a mut CutPoints,
-    planes: &'a mut Vec<PlaneNumbers>,
+    planes: &'a mut Vec<Plane<f64>>,
 }
 
 impl Shared<'_> {
@@ -291,15 +256,12 @@ impl Shared<'_> {
                 let ends = [triangle[edge], triangle[(edge + 1) % 3]];
                 let across = CutPlane::Across(ends, number);
                 let known = self.found.planes.iter().position(|&plane| plane == across);
-                let place = match (known, across.numbers(corners, self.planes)) {
-                    (Some(place), _) => place,
-                    (None, None) => continue,
-                    (None, Some(numbers)) => {
-                        self.found.planes.push(across);
-                        self.planes.push(numbers);
-                        self.planes.len() - 1
-                    }
-                };
+                let place = known.unwrap_or_else(|| {
+                    self.found.planes.push(across);
+                    let plane = Plane::of(across, Other::Corners(corners), self.planes);
+                    self.planes.push(plane);
+                    self.planes.len() - 1
+                });
                 let plane = self.planes[place];
                 ring = cut_ring(self.points, &ring, (place, &plane));
             }

@@ -23,7 +23,7 @@ fn cross(a: &BigPoint, b: &BigPoint) -> BigPoint {
 }
 
 /// A plane by a point and its normal, outwards.
-pub struct Plane {
+struct Plane {
     at: BigPoint,
     normal: BigPoint,
 }
@@ -67,7 +67,7 @@ fn big([x, y, z]: Point) -> BigPoint {
 }
 
 /// The planes of the faces of a hull; none without a volume.
-pub fn planes(corners: &[Point]) -> Vec<Plane> {
+fn planes(corners: &[Point]) -> Vec<Plane> {
     let corners: Vec<BigPoint> = corners.iter().map(|&p| big(p)).collect();
     let mut all: Vec<Plane> = Vec::new();
     for i in 0..corners.len() {
@@ -124,7 +124,7 @@ fn clipped(ring: &[BigPoint], plane: &Plane) -> Vec<BigPoint> {
 }
 
 /// The volume behind all planes, of a body within `reach` of the first point.
-pub fn volume(all: &[Plane], reach: f64) -> f64 {
+fn volume(all: &[Plane], reach: f64) -> f64 {
     let Some(first) = all.first() else {
         return 0.0;
     };
