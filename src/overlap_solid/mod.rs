@@ -36,9 +36,9 @@
 //!
 //! Kinks: faces of both in one plane (either has half of the derivative), four corners of a hull in one plane (the
 //! derivative is that of some triangles of the face), and bodies that begin to touch (derivative zero).
-mod cut;
 mod cutting_planes;
 mod slice;
+mod solid_cut;
 mod volume_record;
 mod volume_replay;
 mod volume_search;

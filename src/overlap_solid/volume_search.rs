@@ -1,6 +1,6 @@
 //! The search for the volume that two bodies share: it cuts one of them by the planes of the other.
-use super::cut::{CutFace, CutPoint, CutPoints, FaceOwner, cut, cut_ring};
 use super::cutting_planes::{Bounds, CutPlane, Other, Plane};
+use super::solid_cut::{CutFace, CutPoint, CutPoints, FaceOwner, cut, cut_ring};
 use crate::Vec3;
 use crate::scalar::largest;
 
