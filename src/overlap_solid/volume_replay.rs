@@ -101,7 +101,7 @@ impl<S: Scalar> Slopes<S> {
                     let along = area.dot(normal).over(long);
                     let by_offset = along.over(long);
                     self.plane.1 += by_offset;
-                    self.plane.0 = self.plane.0 - middle * by_offset;
+                    self.plane.0 -= middle * by_offset;
                 }
             }
             (None, _, Other::Corners(_)) => {}
