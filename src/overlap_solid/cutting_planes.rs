@@ -187,7 +187,7 @@ impl Bounds {
             let mut corners: Vec<usize> = group.iter().flat_map(|&k| triangles[k]).collect();
             corners.sort_unstable();
             corners.dedup();
-            planes.push((spanning(points, &corners, plane.normal), group));
+            planes.push((spanning(|k| points[k], &corners, plane.normal), group));
         }
         let inner = triangles
             .iter()

@@ -44,7 +44,8 @@ mod volume_replay;
 mod volume_search;
 
 use crate::distance::edge::scale_of;
-use crate::distance3::hulls::{Cornered, numbers};
+use crate::distance3::core::Core3;
+use crate::distance3::cored::InflatedCore;
 use crate::overlap::{Denominator, ratio_of_first, ratio_of_union};
 use crate::overlap3::Overlaps;
 use crate::scalar::largest;
@@ -77,14 +78,34 @@ pub(crate) trait Solid: Cuts {
     fn anchor(&self) -> Vec3<Self::Scalar>;
 }
 
+/// Returns the vertices relative to a point; behind the last one the first is repeated.
+fn vertices_from<S: Scalar, const N: usize>(hull: &Hull3<S, N>, from: Vec3<S>) -> [Vec3<S>; N] {
+    let count = hull.count.clamp(1, N);
+    let mut all = hull.vertices;
+    for (k, corner) in all.iter_mut().enumerate() {
+        *corner = hull.vertices[if k < count { k } else { 0 }] - from;
+    }
+    all
+}
+
+/// Returns points as plain numbers, exactly; `None` where one is not finite, or of another format.
+fn numbers<S: Scalar>(points: &[Vec3<S>]) -> Option<Vec<Vec3<f64>>> {
+    let wide = |Vec3 { x, y, z }: &Vec3<S>| {
+        let point = Vec3::new(x.widened()?, y.widened()?, z.widened()?);
+        point.is_finite().then_some(point)
+    };
+    points.iter().map(wide).collect()
+}
+
 /// Corners of a body in units of the smaller of two.
 macro_rules! solids {
-    ($([$($size:tt)*] $Shape:ty, $Corners:ty;)*) => { $(
+    ($([$($size:tt)*] $Shape:ty, $Corners:ty, |$shape:ident, $from:ident| $corners:expr, $anchor:expr;)*) => { $(
         impl<S: Scalar, $($size)*> Cuts for $Shape {
             type Corners = $Corners;
             #[inline]
-            fn placed(&self, from: Vec3<S>, scale: S) -> Self::Corners {
-                let mut corners = self.corners_from(from);
+            fn placed(&self, $from: Vec3<S>, scale: S) -> Self::Corners {
+                let $shape = self;
+                let mut corners = $corners;
                 for corner in &mut corners {
                     *corner = *corner * scale;
                 }
@@ -94,7 +115,8 @@ macro_rules! solids {
         impl<S: Scalar, $($size)*> Solid for $Shape {
             #[inline]
             fn anchor(&self) -> Vec3<S> {
-                self.middle().unwrap_or(self.corners_from(Vec3::zero())[0])
+                let $shape = self;
+                $anchor
             }
         }
         impl<S: Scalar<Mask = bool>, $($size)*> $Shape {
@@ -106,13 +128,21 @@ macro_rules! solids {
             }
         }
     )* };
+    (@cored $($Shape:ty, $Corners:ty;)*) => {
+        solids! { $(
+            [] $Shape, $Corners,
+            |shape, from| shape.core().placed(from, S::one()).corners(), shape.core().anchor();
+        )* }
+    };
+}
+solids! { @cored
+    Tetrahedron<S>, [Vec3<S>; 4];
+    Aabb3<S>, [Vec3<S>; 8];
+    YawBox3<S>, [Vec3<S>; 8];
+    Obb3<S>, [Vec3<S>; 8];
 }
 solids! {
-    [] Tetrahedron<S>, [Vec3<S>; 4];
-    [] Aabb3<S>, [Vec3<S>; 8];
-    [] YawBox3<S>, [Vec3<S>; 8];
-    [] Obb3<S>, [Vec3<S>; 8];
-    [const N: usize] Hull3<S, N>, [Vec3<S>; N];
+    [const N: usize] Hull3<S, N>, [Vec3<S>; N], |hull, from| vertices_from(hull, from), hull.vertices[0];
 }
 
 impl<S: Scalar> Cuts for Plane3<S> {
@@ -187,13 +217,15 @@ where
     };
     match placed.other() {
         Other::Corners(b) => match numbers(b) {
-            Some(b) => volume_search::search(&a, Other::Corners(&b), S::EPSILON),
+            Some(b) => volume_search::search(&a, Other::Corners(&b), S::format().epsilon()),
             None => Decisions::default(),
         },
         Other::HalfSpace(normal, offset) => match (numbers(&[normal]), offset.widened()) {
-            (Some(normal), Some(offset)) if offset.is_finite() => {
-                volume_search::search(&a, Other::HalfSpace(normal[0], offset), S::EPSILON)
-            }
+            (Some(normal), Some(offset)) if offset.is_finite() => volume_search::search(
+                &a,
+                Other::HalfSpace(normal[0], offset),
+                S::format().epsilon(),
+            ),
             _ => Decisions::default(),
         },
     }
