@@ -81,7 +81,7 @@ pub mod verbs;
 
 pub use backend::{Backend, Rings};
 pub use call::modes::Function;
-pub use call::search::{self, Search};
+pub use call::search::{self, HintedSearch, Search};
 pub use cpu::{Cpu, points};
 #[cfg(feature = "check")]
 pub use fuzz::identities;

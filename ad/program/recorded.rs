@@ -274,7 +274,13 @@ impl Recorded {
 
     /// Returns the program without its first `count` results.
     pub(crate) fn without_first(&self, count: usize) -> Recorded {
-        Recorded::new(self.graph.clone(), self.inputs, &self.outputs[count..])
+        self.chosen(&(count..self.outputs.len()).collect::<Vec<_>>())
+    }
+
+    /// Returns the program with some of its results, by their places.
+    pub(crate) fn chosen(&self, places: &[usize]) -> Recorded {
+        let outputs: Vec<Id> = places.iter().map(|&place| self.outputs[place]).collect();
+        Recorded::new(self.graph.clone(), self.inputs, &outputs)
     }
 
     /// Returns this program with a gradient by hand, a program with the same input.

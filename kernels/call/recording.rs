@@ -52,9 +52,7 @@ impl<T> UntypedSearch<T> {
     pub(crate) fn gives(&self, mode: Mode, takes: &[usize], outputs: &[usize]) -> Vec<usize> {
         match mode {
             Mode::Jacobian => {
-                let [numbers, all] = self.replays(mode).sizes();
-                // `all` is `rows` results and `numbers` derivatives of each.
-                let rows = all / (1 + numbers);
+                let [_, rows] = self.replays(Mode::Value).sizes();
                 [outputs, &[rows * takes.iter().sum::<usize>()]].concat()
             }
             _ => mode.gives(takes, outputs),

@@ -3,11 +3,11 @@ use crate::Error;
 use crate::ad::program::Neutral;
 use crate::ad::program::record::record_with_codes;
 use crate::ad::program::recorded::Recorded;
-use crate::kernels::row::decision::Search;
+use crate::kernels::row::decision::HintedSearch;
 use crate::kernels::row::derivation::{DerivativeStep, Mode, Order, Replays};
 use crate::kernels::row::item::{Item, by_kind, by_shape, get, width};
 use crate::kernels::row::straight_line::by_reverse;
-use crate::{Fixed, Pack, Real};
+use crate::{Fixed, Pack, Real, Scalar};
 use std::collections::HashMap;
 use std::sync::{Arc, PoisonError, RwLock};
 
@@ -15,7 +15,7 @@ use std::sync::{Arc, PoisonError, RwLock};
 const MOST_KEPT: usize = 1 << 14;
 
 /// A cache by an input's codes and its record.
-type Cache<D, X> = RwLock<HashMap<(Vec<u32>, <D as Search>::Record), Arc<X>>>;
+type Cache<D, X> = RwLock<HashMap<(Vec<u32>, <D as HintedSearch>::Record), Arc<X>>>;
 
 /// A run of numbers of an item or a result.
 #[derive(Clone, Copy, Debug)]
@@ -24,6 +24,10 @@ enum NumberBlock {
     Input,
     /// A number of plain scalars.
     Plain(usize),
+    /// The hints of the search, which no column has.
+    Hints(usize),
+    /// The direction of the hints, which is zero.
+    Still(usize),
 }
 
 impl NumberBlock {
@@ -32,13 +36,26 @@ impl NumberBlock {
         match self {
             NumberBlock::Input => [R::LEN, width::<R>()],
             NumberBlock::Plain(count) => [count, count],
+            NumberBlock::Hints(count) | NumberBlock::Still(count) => [count, 0],
+        }
+    }
+    /// Returns `true` for numbers of columns, by which there are derivatives.
+    const fn varies(self) -> bool {
+        matches!(self, NumberBlock::Input | NumberBlock::Plain(_))
+    }
+    /// Returns the block of directions of this one.
+    const fn direction(self) -> Self {
+        match self {
+            NumberBlock::Hints(count) => NumberBlock::Still(count),
+            other => other,
         }
     }
 }
 
 /// The replays of the search `D` in the format `T`, differentiated.
-struct DerivedReplays<D: Search, T> {
-    steps: Vec<DerivativeStep>,
+struct DerivedReplays<D: HintedSearch, T> {
+    /// The derivatives one after another, each with the places of its results that are kept: those by hints are not.
+    steps: Vec<(DerivativeStep, Vec<usize>)>,
     /// Blocks of an item.
     takes: Vec<NumberBlock>,
     /// Blocks of a result.
@@ -50,38 +67,51 @@ struct DerivedReplays<D: Search, T> {
 /// Returns the replays of a search, differentiated by some steps.
 pub(crate) fn of<D, R: Item>(steps: Vec<DerivativeStep>) -> Arc<dyn Replays<R::Scalar>>
 where
-    D: Search<In<<R as Pack>::Scalar> = R>,
+    D: HintedSearch<In<<R as Pack>::Scalar> = R>,
 {
-    let (mut takes, mut gives) = (
-        vec![NumberBlock::Input],
-        vec![NumberBlock::Plain(D::Out::<R::Scalar>::LEN)],
-    );
-    for step in &steps {
+    let mut takes = vec![NumberBlock::Input];
+    if D::Hints::<R::Scalar>::LEN > 0 {
+        takes.push(NumberBlock::Hints(D::Hints::<R::Scalar>::LEN));
+    }
+    let mut gives = vec![NumberBlock::Plain(D::Out::<R::Scalar>::LEN)];
+    let mut kept = Vec::new();
+    for step in steps {
         let (own, results) = (takes.clone(), gives.clone());
+        // All blocks of the differentiated program's result, which has derivatives by hints, too.
+        let mut all = Vec::new();
         match step {
-            DerivativeStep::Mode(Mode::Value) => {}
-            DerivativeStep::Mode(Mode::ValueGrad) => gives.extend(own),
+            DerivativeStep::Mode(Mode::Value) => all.extend(results),
+            DerivativeStep::Mode(Mode::ValueGrad) => all.extend([results, own].concat()),
             DerivativeStep::Mode(Mode::Jacobian) => {
-                for _ in 0..numbers_of::<R>(&results) {
-                    gives.extend(own.iter().copied());
-                }
+                let count = numbers_of::<R>(&results);
+                all.extend(results);
+                (0..count).for_each(|_| all.extend(&own));
             }
             DerivativeStep::Mode(Mode::Vjp) => {
                 takes.extend(results);
-                gives = own;
+                all = own;
             }
             DerivativeStep::Along(Order::First) => {
-                takes.extend(own);
-                gives.extend(results);
+                takes.extend(own.into_iter().map(NumberBlock::direction));
+                all.extend([&results[..], &results].concat());
             }
             DerivativeStep::Along(Order::Second) => {
-                takes.extend(own.iter().copied());
-                gives = own;
+                takes.extend(own.iter().map(|block| block.direction()));
+                all = own;
             }
         }
+        let mut places = Vec::new();
+        let mut first = 0;
+        for block in &all {
+            let count = block.sizes::<R>()[0];
+            places.extend((first..first + count).filter(|_| block.varies()));
+            first += count;
+        }
+        kept.push((step, places));
+        gives = all.into_iter().filter(|block| block.varies()).collect();
     }
     Arc::new(DerivedReplays::<D, R::Scalar> {
-        steps,
+        steps: kept,
         takes,
         gives,
         programs: RwLock::default(),
@@ -95,7 +125,7 @@ fn numbers_of<R: Item>(blocks: &[NumberBlock]) -> usize {
 }
 
 /// Returns the value of a key, made at first use. If two threads make it, the first is kept.
-fn made<D: Search, X>(
+fn made<D: HintedSearch, X>(
     all: &Cache<D, X>,
     key: (Vec<u32>, D::Record),
     make: impl FnOnce(&[u32], D::Record) -> Result<X, Error>,
@@ -113,17 +143,23 @@ fn made<D: Search, X>(
     Ok(Arc::clone(kept.entry(key).or_insert(made)))
 }
 
-impl<D: Search, T: Real> DerivedReplays<D, T>
+impl<D: HintedSearch, T: Real> DerivedReplays<D, T>
 where
     D::In<T>: Item<Scalar = T>,
 {
     /// Records a replay and differentiates it.
     fn program(&self, codes: &[u32], record: D::Record) -> Result<Recorded, Error> {
-        type In<D> = <D as Search>::In<Neutral>;
-        type Out<D> = <D as Search>::Out<Neutral>;
-        let replay = |x: In<D>| D::replay::<Neutral>(x, record);
-        let mut recorded = record_with_codes::<In<D>, Out<D>>(T::FORMAT, codes, replay)?;
-        for step in &self.steps {
+        type In<D> = <D as HintedSearch>::In<Neutral>;
+        type Hints<D> = <D as HintedSearch>::Hints<Neutral>;
+        type Out<D> = <D as HintedSearch>::Out<Neutral>;
+        let replay = |(input, hints): (In<D>, Hints<D>)| {
+            let mut constants = hints;
+            constants.each(&mut |hint| *hint = hint.primal());
+            D::replay_with_hints::<Neutral>(input, record, constants)
+        };
+        let mut recorded =
+            record_with_codes::<(In<D>, Hints<D>), Out<D>>(T::FORMAT, codes, replay)?;
+        for (step, kept) in &self.steps {
             recorded = match *step {
                 // Without the value, which [`by_reverse`] puts first: a replay computes the derivative alone.
                 DerivativeStep::Mode(Mode::Vjp) => recorded.vjp(),
@@ -131,11 +167,16 @@ where
                 DerivativeStep::Along(Order::First) => recorded.jvp(),
                 DerivativeStep::Along(Order::Second) => recorded.hvp(),
             };
+            if D::Hints::<T>::LEN > 0 {
+                recorded = recorded.chosen(kept);
+            }
         }
         Ok(recorded)
     }
-    /// Returns codes and record of an item; appends its numbers without codes to `taken`.
+    /// Returns codes and record of an item; appends its numbers without codes, and the hints, to `taken`.
     fn key(&self, numbers: &[T], taken: &mut Vec<T>) -> (Vec<u32>, D::Record) {
+        let input = input::<D, T>(numbers);
+        let (record, hints) = D::decide_with_hints::<T>(input);
         let mut rest = numbers;
         for block in &self.takes {
             let (own, others) = rest.split_at(block.sizes::<D::In<T>>()[1]);
@@ -144,23 +185,24 @@ where
                     taken.extend_from_slice(&by_kind::<D::In<T>>(own)[..D::In::<T>::LEN]);
                 }
                 NumberBlock::Plain(_) => taken.extend_from_slice(own),
+                NumberBlock::Hints(_) => taken.extend(hints.scalars()),
+                NumberBlock::Still(count) => taken.extend((0..*count).map(|_| T::zero())),
             }
             rest = others;
         }
-        let input = input::<D, T>(numbers);
-        (input.codes(), D::decide::<T>(input))
+        (input.codes(), record)
     }
 }
 
 /// Returns the input of a search, with which an item's numbers begin.
-fn input<D: Search, T: Real>(numbers: &[T]) -> D::In<T>
+fn input<D: HintedSearch, T: Real>(numbers: &[T]) -> D::In<T>
 where
     D::In<T>: Item<Scalar = T>,
 {
     get::<D::In<T>>(&by_kind::<D::In<T>>(&numbers[..width::<D::In<T>>()]))
 }
 
-impl<D: Search, T: Real> Replays<T> for DerivedReplays<D, T>
+impl<D: HintedSearch, T: Real> Replays<T> for DerivedReplays<D, T>
 where
     D::In<T>: Item<Scalar = T>,
 {
@@ -169,6 +211,9 @@ where
         made::<D, _>(&self.programs, key, |codes, record| {
             self.program(codes, record)
         })
+    }
+    fn hints(&self) -> usize {
+        D::Hints::<T>::LEN
     }
     fn sizes(&self) -> [usize; 2] {
         [&self.takes, &self.gives].map(|blocks| numbers_of::<D::In<T>>(blocks))
@@ -184,6 +229,7 @@ where
                 // A gradient has the input's codes.
                 NumberBlock::Input => by_shape::<D::In<T>>(own, &codes, place),
                 NumberBlock::Plain(_) => place.copy_from_slice(own),
+                NumberBlock::Hints(_) | NumberBlock::Still(_) => {}
             }
             (found, row) = (others, after);
         }

@@ -8,7 +8,7 @@ use crate::ad::program::{Neutral, Program};
 use crate::error::Error;
 use crate::kernels::call::modes::Function;
 use crate::kernels::call::recording::{self, Body, Call, Each, Recording};
-pub use crate::kernels::row::decision::Search;
+pub use crate::kernels::row::decision::{HintedSearch, Search};
 use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::item::{Item, by_kind, by_shape, get, leaves_of, width, widths};
 use crate::kernels::row::once::known;
@@ -20,17 +20,17 @@ use std::sync::Arc;
 const AT_A_TIME: usize = 4;
 
 /// Returns the places of the numbers that a replay reads.
-fn places<D: Search>(record: &D::Record) -> Vec<usize> {
+fn places<D: HintedSearch>(record: &D::Record) -> Vec<usize> {
     let all = 0..D::In::<f64>::LEN;
-    all.filter(|&place| D::reads(record, place)).collect()
+    all.filter(|&place| D::is_read(record, place)).collect()
 }
 
 /// Returns the result on duals, with derivatives by the numbers at up to `AT_A_TIME` places. `codes` are the input's.
-fn replayed<D: Search<In<<R as Pack>::Scalar> = R>, R: Item>(
+fn replayed<D: HintedSearch<In<<R as Pack>::Scalar> = R>, R: Item>(
     numbers: &[R::Scalar],
     codes: &[u32],
     places: &[usize],
-    record: D::Record,
+    (record, hints): (D::Record, D::Hints<R::Scalar>),
 ) -> Vec<Jet<R::Scalar, AT_A_TIME>> {
     // No place is so large, so that none is a variable.
     let constant = |&x: &R::Scalar| Jet::variable(x, usize::MAX);
@@ -39,28 +39,31 @@ fn replayed<D: Search<In<<R as Pack>::Scalar> = R>, R: Item>(
         jets[place] = Jet::variable(numbers[place], k);
     }
     let moved = D::In::<Jet<R::Scalar, AT_A_TIME>>::load(&jets).load_codes(codes);
-    D::replay::<Jet<R::Scalar, AT_A_TIME>>(moved, record).scalars()
+    let hints: Vec<_> = hints.scalars().iter().map(constant).collect();
+    let hints = D::Hints::<Jet<R::Scalar, AT_A_TIME>>::load(&hints);
+    D::replay_with_hints::<Jet<R::Scalar, AT_A_TIME>>(moved, record, hints).scalars()
 }
 
 /// Writes the result of one item, and the gradient of each of its numbers.
-fn item_and_jacobian<D: Search<In<<R as Pack>::Scalar> = R>, R: Item>(
+fn item_and_jacobian<D: HintedSearch<In<<R as Pack>::Scalar> = R>, R: Item>(
     numbers: &[R::Scalar],
     out: &mut [R::Scalar],
 ) {
     let numbers = by_kind::<R>(numbers);
     let input = get::<R>(&numbers);
-    let record = D::decide::<R::Scalar>(input);
+    let found = D::decide_with_hints::<R::Scalar>(input);
+    let (record, hints) = found;
     let codes: Vec<u32> = input.codes();
     let mut rows = vec![R::Scalar::default(); D::Out::<R::Scalar>::LEN * R::LEN];
     for places in places::<D>(&record).chunks(AT_A_TIME) {
-        let replayed = replayed::<D, R>(&numbers, &codes, places, record);
+        let replayed = replayed::<D, R>(&numbers, &codes, places, found);
         for (row, jet) in rows.chunks_exact_mut(R::LEN).zip(replayed) {
             for (&place, derivative) in places.iter().zip(jet.derivative) {
                 row[place] = derivative;
             }
         }
     }
-    D::replay::<R::Scalar>(input, record).store(out);
+    D::replay_with_hints::<R::Scalar>(input, record, hints).store(out);
     let gradients = out[D::Out::<R::Scalar>::LEN..].chunks_exact_mut(width::<R>());
     for (row, gradient) in rows.chunks_exact(R::LEN).zip(gradients) {
         // A gradient has the input's codes.
@@ -69,7 +72,7 @@ fn item_and_jacobian<D: Search<In<<R as Pack>::Scalar> = R>, R: Item>(
 }
 
 /// Writes the result of one item, and its derivatives times a cotangent; without one it is all ones.
-fn item<D: Search<In<<R as Pack>::Scalar> = R>, R: Item>(
+fn item<D: HintedSearch<In<<R as Pack>::Scalar> = R>, R: Item>(
     numbers: &[R::Scalar],
     out_bar: Option<&[R::Scalar]>,
     out: &mut [R::Scalar],
@@ -77,16 +80,17 @@ fn item<D: Search<In<<R as Pack>::Scalar> = R>, R: Item>(
 ) {
     let numbers = by_kind::<R>(numbers);
     let input = get::<R>(&numbers);
-    let record = D::decide::<R::Scalar>(input);
+    let found = D::decide_with_hints::<R::Scalar>(input);
+    let (record, hints) = found;
     let result = D::Out::<R::Scalar>::LEN;
-    D::replay::<R::Scalar>(input, record).store(out);
+    D::replay_with_hints::<R::Scalar>(input, record, hints).store(out);
     if !derivatives {
         return;
     }
     let codes: Vec<u32> = input.codes();
     let mut bars = vec![R::Scalar::default(); R::LEN];
     for places in places::<D>(&record).chunks(AT_A_TIME) {
-        let replayed = replayed::<D, R>(&numbers, &codes, places, record);
+        let replayed = replayed::<D, R>(&numbers, &codes, places, found);
         for (k, jet) in replayed.into_iter().enumerate() {
             let by = out_bar.map_or(R::Scalar::one(), |out_bar| out_bar[k]);
             for (&place, derivative) in places.iter().zip(jet.derivative) {
@@ -105,7 +109,7 @@ fn item<D: Search<In<<R as Pack>::Scalar> = R>, R: Item>(
 /// Returns the function of one item in a mode of a search.
 fn item_in<D, R: Item>(mode: Mode) -> Each<R::Scalar>
 where
-    D: Search<In<<R as Pack>::Scalar> = R>,
+    D: HintedSearch<In<<R as Pack>::Scalar> = R>,
 {
     match mode {
         Mode::Value => |x, bar, out| item::<D, R>(x, bar, out, false),
@@ -117,7 +121,7 @@ where
 /// Returns the recording of a search, which is made once.
 pub(crate) fn recording<D, R: Item>() -> Arc<Recording<R::Scalar>>
 where
-    D: Search<In<<R as Pack>::Scalar> = R>,
+    D: HintedSearch<In<<R as Pack>::Scalar> = R>,
     D::Out<R::Scalar>: Item,
 {
     const {
@@ -188,7 +192,7 @@ pub struct Searched<D>(std::marker::PhantomData<fn() -> D>);
 /// # Ok::<(), geograd::Error>(())
 /// ```
 #[must_use]
-pub const fn search<D: Search>(_search: D) -> Searched<D> {
+pub const fn search<D: HintedSearch>(_search: D) -> Searched<D> {
     Searched(std::marker::PhantomData)
 }
 
@@ -208,7 +212,7 @@ pub fn replay<D: Search, T: Real>(
     record_in(T::FORMAT, replay).map(Program::of)
 }
 
-impl<D: Search> Searched<D> {
+impl<D: HintedSearch> Searched<D> {
     /// Returns the search with its gradient: batches return the result, one number, and the gradient by every argument.
     #[must_use]
     pub const fn value_grad(self) -> ValueGrad<Self> {
@@ -242,15 +246,15 @@ impl<D: Search> Searched<D> {
 /// A function of batches that is a search.
 pub(crate) trait Searches {
     /// The search.
-    type Search: Search;
+    type Search: HintedSearch;
 }
-impl<D: Search> Searches for Searched<D> {
+impl<D: HintedSearch> Searches for Searched<D> {
     type Search = D;
 }
 
 impl<D, R: Item> Function<R> for Searched<D>
 where
-    D: Search<In<<R as Pack>::Scalar> = R>,
+    D: HintedSearch<In<<R as Pack>::Scalar> = R>,
     D::Out<R::Scalar>: Item,
 {
     type Out = D::Out<R::Scalar>;

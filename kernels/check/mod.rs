@@ -42,7 +42,7 @@ use crate::error::Field;
 use crate::kernels::Backend;
 use crate::kernels::call::modes::recording_of;
 use crate::kernels::call::recording::Recording;
-use crate::kernels::call::search::Search;
+use crate::kernels::call::search::HintedSearch;
 use crate::kernels::check::proofs::Proofs;
 use crate::kernels::check::recorded_subject::{ByHand, Computations, RecordedSubject};
 use crate::kernels::check::subject::ProofAt;
@@ -555,7 +555,7 @@ where
 }
 
 /// Runs every check of an operation with a search.
-pub fn check_search_with<D: Search, S: Real>(sampling: &Sampling<'_>) -> Report
+pub fn check_search_with<D: HintedSearch, S: Real>(sampling: &Sampling<'_>) -> Report
 where
     D::In<f64>: Sample,
     D::Out<f64>: Sample,
@@ -564,7 +564,7 @@ where
 }
 
 /// Runs every check of an operation with a search, with proofs of its values.
-pub(crate) fn check_search_proved<D: Search, S: Real>(
+pub(crate) fn check_search_proved<D: HintedSearch, S: Real>(
     sampling: &Sampling<'_>,
     proofs: Option<&Proofs<S>>,
 ) -> Report

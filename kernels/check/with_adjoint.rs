@@ -1,6 +1,6 @@
 //! Operations, searches and folds in the harness's form: one function, generic over the scalar, and its adjoint.
 use crate::kernels::call::folding::{FoldPrograms, Sizes, backwards, programs};
-use crate::kernels::call::search::Search;
+use crate::kernels::call::search::HintedSearch;
 use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::fold::{Fold, by_hand, fold};
 use crate::kernels::row::op::program_of;
@@ -74,13 +74,29 @@ impl<O: Op> WithAdjoint for Straight<O> {
     }
 }
 
-/// Returns the decisions. Derivatives do not enter them, so a search is compiled for plain numbers alone.
-fn decided<D: Search, S: Scalar<Mask = bool>>(input: D::In<S>) -> D::Record {
+/// Returns the decisions and the hints. Derivatives do not enter them, so a search is compiled for plain numbers alone.
+fn decided<D: HintedSearch, S: Scalar<Mask = bool>>(
+    input: D::In<S>,
+) -> (D::Record, Vec<S::Primal>) {
     let mut numbers = Vec::new();
     for x in input.scalars() {
         numbers.push(x.primal());
     }
-    D::decide(D::In::<S::Primal>::load(&numbers).load_codes(&input.codes()))
+    let plain = D::In::<S::Primal>::load(&numbers).load_codes(&input.codes());
+    let (record, hints) = D::decide_with_hints(plain);
+    (record, hints.scalars())
+}
+
+/// Returns hints as constants of a scalar.
+fn constants<D: HintedSearch, P: Copy, S: Scalar>(
+    hints: &[P],
+    constant: impl Fn(P) -> S,
+) -> D::Hints<S> {
+    let mut all = Vec::new();
+    for &hint in hints {
+        all.push(constant(hint));
+    }
+    D::Hints::load(&all)
 }
 
 /// Returns the derivative of a result along a direction, times a cotangent.
@@ -95,16 +111,19 @@ fn along<S: Scalar>(result: &[Jet<S, 1>], out_bar: &[S]) -> S {
 #[derive(Clone, Copy, Debug)]
 pub struct Replayed<D>(std::marker::PhantomData<D>);
 
-impl<D: Search> WithAdjoint for Replayed<D> {
+impl<D: HintedSearch> WithAdjoint for Replayed<D> {
     const DECLARED: Declared = D::DECLARED;
     type In<S: Scalar> = D::In<S>;
     type Out<S: Scalar> = D::Out<S>;
     const SEARCHES: bool = true;
     fn eval<S: Scalar<Mask = bool>>(&input: &Self::In<S>) -> Self::Out<S> {
-        D::replay(input, decided::<D, S>(input))
+        let (record, hints) = decided::<D, S>(input);
+        D::replay_with_hints(input, record, constants::<D, _, S>(&hints, S::from_primal))
     }
     fn pulled<S: Scalar<Mask = bool>>(&input: &Self::In<S>, out_bar: Self::Out<S>) -> Vec<S> {
-        let record = decided::<D, S>(input);
+        let (record, hints) = decided::<D, S>(input);
+        let hints =
+            constants::<D, _, Jet<S, 1>>(&hints, |hint| Jet::variable(S::from_primal(hint), 1));
         let (numbers, codes, out_bar) = (input.scalars(), input.codes(), out_bar.scalars());
         let mut jets: Vec<Jet<S, 1>> = Vec::new();
         for &value in &numbers {
@@ -113,14 +132,17 @@ impl<D: Search> WithAdjoint for Replayed<D> {
         }
         let mut bars = numbers;
         for (at, bar) in bars.iter_mut().enumerate() {
-            if !D::reads(&record, at) {
+            if !D::is_read(&record, at) {
                 *bar = S::zero();
                 continue;
             }
             jets[at].derivative[0] = S::one();
             let moved = D::In::<Jet<S, 1>>::load(&jets).load_codes(&codes);
             jets[at].derivative[0] = S::zero();
-            *bar = along(&D::replay(moved, record).scalars(), &out_bar);
+            *bar = along(
+                &D::replay_with_hints(moved, record, hints).scalars(),
+                &out_bar,
+            );
         }
         bars
     }

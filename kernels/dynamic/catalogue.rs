@@ -12,7 +12,7 @@ use crate::ad::sample::{Sample, Sampler};
 use crate::error::{Argument, Error, Unrecordable};
 use crate::kernels::call::modes::recording_of;
 use crate::kernels::call::recording::{Body, Recording};
-use crate::kernels::call::search::{self, Search};
+use crate::kernels::call::search::{self, HintedSearch};
 use crate::kernels::gpu::line_sources;
 use crate::kernels::ops;
 use crate::kernels::ops::walk::{Walk, Written};
@@ -253,11 +253,13 @@ impl Operation {
         let Body::Search(search) = &recording.body else {
             return self.program();
         };
-        let decided = search
-            .replays(Mode::Value)
-            .decide(&input.concat(), &mut Vec::new())?;
+        let replays = search.replays(Mode::Value);
+        let decided = replays.decide(&input.concat(), &mut Vec::new())?;
         let leaves = recording.takes.iter().map(|leaf| leaf.without_codes());
-        let takes = function.names.into_iter().zip(leaves).collect();
+        let mut takes: Vec<_> = function.names.into_iter().zip(leaves).collect();
+        if replays.hints() > 0 {
+            takes.push((Argument::named("hints"), Leaf::numbers(replays.hints())));
+        }
         Ok(Program::new(
             (*decided).clone(),
             takes,
@@ -396,14 +398,14 @@ where
 /// Returns the description of a search.
 #[doc(hidden)]
 #[must_use]
-pub const fn search<D: Search>() -> Operation
+pub const fn search<D: HintedSearch>() -> Operation
 where
     D::In<f32>: Item<Scalar = f32>,
     D::Out<f32>: Item<Scalar = f32>,
     D::In<f64>: Item<Scalar = f64> + Sample,
     D::Out<f64>: Item<Scalar = f64> + Sample,
 {
-    const fn of<T: Real, D: Search>() -> InFormat<T>
+    const fn of<T: Real, D: HintedSearch>() -> InFormat<T>
     where
         D::In<T>: Item<Scalar = T>,
         D::Out<T>: Item<Scalar = T>,
@@ -455,7 +457,7 @@ impl Walk for OperationList {
     {
         self.0.push(const { straight::<O>() }.written(row));
     }
-    fn search<D: Search>(&mut self, row: Written)
+    fn search<D: HintedSearch>(&mut self, row: Written)
     where
         D::In<f32>: Item<Scalar = f32>,
         D::Out<f32>: Item<Scalar = f32>,

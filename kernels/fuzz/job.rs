@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::kernels::Cpu;
 use crate::kernels::call::modes::recording_of;
 use crate::kernels::call::recording::{Call, Recording};
-use crate::kernels::call::search::{self, Search};
+use crate::kernels::call::search::{self, HintedSearch};
 use crate::kernels::check::{Folded, WithAdjoint};
 use crate::kernels::cpu::aligned::{checked, compute};
 use crate::kernels::cpu::pairs::{self, Pairs};
@@ -234,7 +234,7 @@ impl<T: Real> Job<T> {
     }
 
     /// Returns the job of an operation with a search.
-    pub(super) fn of_search<D: Search>() -> Self
+    pub(super) fn of_search<D: HintedSearch>() -> Self
     where
         D::In<T>: Item<Scalar = T>,
         D::Out<T>: Item<Scalar = T>,
@@ -268,7 +268,8 @@ impl<T: Real> Job<T> {
             square: None,
             alone: |x| {
                 let input = get::<D::In<T>>(&by_kind::<D::In<T>>(x));
-                D::replay::<T>(input, D::decide::<T>(input)).scalars()
+                let (record, hints) = D::decide_with_hints::<T>(input);
+                D::replay_with_hints::<T>(input, record, hints).scalars()
             },
             by_hand: |_, _| None,
             recorded: None,

@@ -39,7 +39,7 @@ pub use property::Property;
 
 use crate::Real;
 use crate::ad::sample::{Draw, Sample};
-use crate::kernels::call::search::Search;
+use crate::kernels::call::search::HintedSearch;
 use crate::kernels::row::fold::Fold;
 use crate::kernels::row::item::Item;
 use crate::kernels::row::op::Op;
@@ -136,7 +136,7 @@ where
 
 /// Fuzzes an operation with a search.
 #[must_use]
-pub fn decided<D: Search, T: Real>(count: u64, seed: u64) -> Fuzzed
+pub fn decided<D: HintedSearch, T: Real>(count: u64, seed: u64) -> Fuzzed
 where
     D::In<T>: Item<Scalar = T>,
     D::Out<T>: Item<Scalar = T>,

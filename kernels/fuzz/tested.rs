@@ -6,7 +6,7 @@ use crate::ad::sample::drawn::Kinship;
 use crate::ad::sample::{Draw, Family, Sample, random};
 use crate::error::{Error, Field};
 use crate::kernels::Backend;
-use crate::kernels::call::search::Search;
+use crate::kernels::call::search::HintedSearch;
 use crate::kernels::check::proofs::Proofs;
 use crate::kernels::check::{
     Folded, LineCode, LineProperties, ScalarCode, WithAdjoint, check_fold_on, check_fold_with,
@@ -175,7 +175,7 @@ fn check_straight<S: Real>(
 }
 
 /// Checks a search.
-fn check_search<D: Search, S: Real>(
+fn check_search<D: HintedSearch, S: Real>(
     row: &Tested,
     plan: &Sampling<'_>,
     _: Option<Backend<'_>>,
@@ -270,14 +270,14 @@ impl Walk for RowList {
             }
         });
     }
-    fn search<D: Search>(&mut self, row: Written)
+    fn search<D: HintedSearch>(&mut self, row: Written)
     where
         D::In<f32>: Item<Scalar = f32>,
         D::Out<f32>: Item<Scalar = f32>,
         D::In<f64>: Item<Scalar = f64> + Sample,
         D::Out<f64>: Item<Scalar = f64> + Sample,
     {
-        const fn formed<D: Search, S: Real>() -> RowInFormat<S>
+        const fn formed<D: HintedSearch, S: Real>() -> RowInFormat<S>
         where
             D::In<S>: Item<Scalar = S>,
             D::Out<S>: Item<Scalar = S>,
@@ -288,7 +288,8 @@ impl Walk for RowList {
                 code: ScalarCode {
                     alone: |x| {
                         let input = get::<D::In<S>>(&by_kind::<D::In<S>>(x));
-                        D::replay::<S>(input, D::decide::<S>(input)).scalars()
+                        let (record, hints) = D::decide_with_hints::<S>(input);
+                        D::replay_with_hints::<S>(input, record, hints).scalars()
                     },
                     by_hand: |_, _| None,
                     num_dual: None,

@@ -1,6 +1,6 @@
 //! The list of rows: the entries of the tables, and the walk over them.
 use crate::ad::sample::Sample;
-use crate::kernels::call::search::Search;
+use crate::kernels::call::search::HintedSearch;
 use crate::kernels::row::fold::Fold;
 use crate::kernels::row::item::Item;
 use crate::kernels::row::op::Op;
@@ -28,7 +28,7 @@ pub trait Walk {
         O::In<f64>: Item<Scalar = f64> + Sample,
         O::Out<f64>: Item<Scalar = f64> + Sample;
     /// Visits a search.
-    fn search<D: Search>(&mut self, row: Written)
+    fn search<D: HintedSearch>(&mut self, row: Written)
     where
         D::In<f32>: Item<Scalar = f32>,
         D::Out<f32>: Item<Scalar = f32>,

@@ -65,7 +65,9 @@ pub(crate) trait Replays<T>: Send + Sync {
     ///
     /// The errors of recording it.
     fn decide(&self, numbers: &[T], taken: &mut Vec<T>) -> Result<Arc<Recorded>, Error>;
-    /// Returns the numbers of inputs and of results of a replay.
+    /// Returns the number of hints that the search hands over.
+    fn hints(&self) -> usize;
+    /// Returns the numbers of inputs, hints among them, and of results of a replay.
     fn sizes(&self) -> [usize; 2];
     /// Writes a row of results from the results `found` of a replay.
     fn put(&self, numbers: &[T], found: &[T], row: &mut [T]);
