@@ -14,7 +14,33 @@ struct Rim {
     radius: f64,
 }
 
-/// A convex body of space: the hull of corners and circles, without end along some directions, inflated by a radius.
+/// An ellipsoid, as half of its extents along three directions of length one.
+#[derive(Clone, Copy, Debug)]
+struct Ellipsoid {
+    center: Vector,
+    axes: [Vector; 3],
+    half: [f64; 3],
+}
+
+impl Ellipsoid {
+    /// Returns the largest coordinate along a direction.
+    fn reach(&self, normal: Vector) -> f64 {
+        let along = |k: usize| self.axes[k].dot(normal) * self.half[k];
+        self.center.dot(normal) + Vec3::new(along(0), along(1), along(2)).length()
+    }
+    /// Returns the normal of the surface of this shape that passes through a point.
+    fn normal(&self, point: Vector) -> Vector {
+        let arm = point - self.center;
+        let part = |k: usize| match self.half[k] > 0.0 {
+            true => self.axes[k] * (self.axes[k].dot(arm) / self.half[k] / self.half[k]),
+            false => Vec3::zero(),
+        };
+        part(0) + part(1) + part(2)
+    }
+}
+
+/// A convex body of space: the hull of corners, circles and ellipsoids, without end along some directions, inflated by a
+/// radius.
 #[derive(Clone, Debug)]
 pub struct Body {
     corners: Vec<Vector>,
@@ -22,6 +48,7 @@ pub struct Body {
     ways: Vec<Vector>,
     endless: Vec<Vector>,
     rims: Vec<Rim>,
+    ellipsoids: Vec<Ellipsoid>,
     radius: f64,
 }
 
@@ -81,6 +108,7 @@ impl Body {
             ways: difference_of_all(corners),
             endless: Vec::new(),
             rims: Vec::new(),
+            ellipsoids: Vec::new(),
             radius,
         }
     }
@@ -101,6 +129,7 @@ impl Body {
             ways: axes.to_vec(),
             endless: Vec::new(),
             rims: Vec::new(),
+            ellipsoids: Vec::new(),
             radius,
         }
     }
@@ -114,6 +143,7 @@ impl Body {
             ways: vec![direction],
             endless,
             rims: Vec::new(),
+            ellipsoids: Vec::new(),
             radius: 0.0,
         }
     }
@@ -128,6 +158,7 @@ impl Body {
             ways: vec![u, v],
             endless: vec![-normal, u, -u, v, -v],
             rims: Vec::new(),
+            ellipsoids: Vec::new(),
             radius: 0.0,
         }
     }
@@ -145,6 +176,7 @@ impl Body {
             ways: vec![axis],
             endless: Vec::new(),
             rims: vec![rim(start), rim(end)],
+            ellipsoids: Vec::new(),
             radius: 0.0,
         }
     }
@@ -154,13 +186,35 @@ impl Body {
         let axis = unit(base - apex).unwrap_or_else(Vec3::zero);
         Body {
             corners: vec![apex],
+            ..Body::disc(base, axis, radius)
+        }
+    }
+    /// Creates a flat disc.
+    #[must_use]
+    pub fn disc(center: Vec3<f64>, normal: Vec3<f64>, radius: f64) -> Self {
+        let axis = unit(normal).unwrap_or_else(Vec3::zero);
+        Body {
+            corners: Vec::new(),
             ways: vec![axis],
             endless: Vec::new(),
             rims: vec![Rim {
-                center: base,
+                center,
                 axis,
                 radius,
             }],
+            ellipsoids: Vec::new(),
+            radius: 0.0,
+        }
+    }
+    /// Creates an ellipsoid, given half of its extents along directions of length one.
+    #[must_use]
+    pub fn ellipsoid(center: Vec3<f64>, half: [f64; 3], axes: [Vec3<f64>; 3]) -> Self {
+        Body {
+            corners: Vec::new(),
+            ways: axes.to_vec(),
+            endless: Vec::new(),
+            rims: Vec::new(),
+            ellipsoids: vec![Ellipsoid { center, axes, half }],
             radius: 0.0,
         }
     }
@@ -174,16 +228,22 @@ impl Body {
         let rims = self.rims.iter();
         let rims =
             rims.map(|rim| rim.center.dot(normal) + rim.radius * aside(normal, rim.axis).length());
-        corners.chain(rims).fold(f64::NEG_INFINITY, f64::max) + self.radius
+        let round = self.ellipsoids.iter().map(|round| round.reach(normal));
+        let all = corners.chain(rims).chain(round);
+        all.fold(f64::NEG_INFINITY, f64::max) + self.radius
     }
     /// Returns its largest coordinate plus its radii.
     fn size(&self) -> f64 {
         let size = |p: &Vector| p.x.abs().max(p.y.abs()).max(p.z.abs());
         let rims = self.rims.iter().map(|rim| size(&rim.center) + rim.radius);
+        let largest = |half: [f64; 3]| half[0].max(half[1]).max(half[2]);
+        let round = self.ellipsoids.iter();
+        let round = round.map(|round| size(&round.center) + largest(round.half));
         self.corners
             .iter()
             .map(size)
             .chain(rims)
+            .chain(round)
             .fold(0.0, f64::max)
             + self.radius
     }
@@ -195,11 +255,17 @@ impl Body {
             radius: rim.radius * by,
             ..*rim
         };
+        let round = |round: &Ellipsoid| Ellipsoid {
+            center: round.center * by,
+            half: round.half.map(|half| half * by),
+            ..*round
+        };
         Body {
             corners: all(&self.corners),
             ways: self.ways.clone(),
             endless: self.endless.clone(),
             rims: self.rims.iter().map(rim).collect(),
+            ellipsoids: self.ellipsoids.iter().map(round).collect(),
             radius: self.radius * by,
         }
     }
@@ -222,6 +288,14 @@ impl Body {
         }
         (corners, ways)
     }
+    /// Returns `true` if it is a point, inflated or not.
+    fn is_point(&self) -> bool {
+        self.corners.len() == 1 && self.is_flat() && self.endless.is_empty()
+    }
+    /// Returns `true` if it has no circles and no ellipsoids.
+    fn is_flat(&self) -> bool {
+        self.rims.is_empty() && self.ellipsoids.is_empty()
+    }
     /// Returns a lower bound of the distance of a point from the body, by its faces and edges; 0 inside.
     fn outside(&self, point: Vector) -> f64 {
         let (_, ways) = self.flat(&[point]);
@@ -229,6 +303,7 @@ impl Body {
         for (i, u) in ways.iter().enumerate() {
             normals.extend(ways[..i].iter().map(|v| u.cross(*v)));
         }
+        normals.extend(self.ellipsoids.iter().map(|round| round.normal(point)));
         let signed = normals.into_iter().filter_map(unit).flat_map(|n| [n, -n]);
         let gaps = signed.map(|n| n.dot(point) - self.reach(n));
         gaps.fold(0.0, f64::max)
@@ -250,8 +325,10 @@ fn across(axis: Vector) -> [Vector; 2] {
 /// The bounds that a proof gives for a distance, in the unit of length.
 pub(crate) struct ProvedBounds {
     /// The gap of the plane that separates the bodies best: at most the signed distance. For bodies with flat faces,
-    /// edges and corners it equals the signed distance.
+    /// edges and corners it equals the signed distance, for others where they are apart.
     pub parted: f64,
+    /// `true` if it equals the signed distance where the bodies overlap, too.
+    pub is_depth: bool,
     /// The distance of the points, and the larger distance of a point from its body.
     pub points: Option<[f64; 2]>,
     /// The largest coordinate.
@@ -284,10 +361,66 @@ impl Proof {
         });
         parted.is_finite().then_some(ProvedBounds {
             parted,
+            is_depth: !curved(&a, &b),
             points,
             size,
         })
     }
+}
+
+/// Returns `true` if planes along faces, edges and sections of circles do not suffice.
+fn curved(a: &Body, b: &Body) -> bool {
+    let round = |own: &Body, other: &Body| {
+        !own.ellipsoids.is_empty() || !own.rims.is_empty() && !other.is_point()
+    };
+    round(a, b) || round(b, a)
+}
+
+/// The number of sections of a range that leave nothing of it.
+const SECTIONS: usize = 76;
+
+/// Returns the largest value of a function that rises to one summit, between two numbers, and its place: by golden
+/// sections.
+fn summit(low: f64, high: f64, of: &mut dyn FnMut(f64) -> f64) -> (f64, f64) {
+    let share = (5.0_f64.sqrt() - 1.0) / 2.0;
+    let (mut low, mut high) = (low, high);
+    let at = |low: f64, high: f64| [high - share * (high - low), low + share * (high - low)];
+    let [mut x, mut y] = at(low, high);
+    let (mut of_x, mut of_y) = (of(x), of(y));
+    for _ in 0..SECTIONS {
+        if of_x < of_y {
+            (low, x, of_x) = (x, y, of_y);
+            y = at(low, high)[1];
+            of_y = of(y);
+        } else {
+            (high, y, of_y) = (y, x, of_x);
+            x = at(low, high)[0];
+            of_x = of(x);
+        }
+    }
+    if of_x < of_y { (of_y, y) } else { (of_x, x) }
+}
+
+/// Returns the gap of the best plane whose normal is less than 70° from a direction.
+///
+/// The gap along a vector is a concave function of it, so that the gap along the direction of a vector has one summit in
+/// a plane of vectors, where it is positive.
+fn best_near(gap: &dyn Fn(Vector) -> f64, normal: Vector) -> f64 {
+    let [x, y] = across(normal);
+    let rated = |s: f64, t: f64| {
+        let way = normal + x * s + y * t;
+        let length = way.length();
+        let found = gap(way * (1.0 / length));
+        if found < 0.0 { found * length } else { found }
+    };
+    let mut most = f64::NEG_INFINITY;
+    let along = &mut |s: f64| {
+        let (found, _) = summit(-2.7, 2.7, &mut |t| rated(s, t));
+        most = most.max(found);
+        found
+    };
+    summit(-2.7, 2.7, along);
+    most
 }
 
 /// Returns the gap of the plane that separates two bodies best. It tries planes along faces and pairs of edges, and
@@ -295,10 +428,16 @@ impl Proof {
 fn best(a: &Body, b: &Body) -> f64 {
     let centers = |body: &Body| -> Vec<Vector> {
         let rims = body.rims.iter().map(|rim| rim.center);
-        body.corners.iter().copied().chain(rims).collect()
+        let round = body.ellipsoids.iter().map(|round| round.center);
+        let corners = body.corners.iter().copied();
+        corners.chain(rims).chain(round).collect()
     };
-    let (corners_a, ways_a) = a.flat(&centers(b));
-    let (corners_b, ways_b) = b.flat(&centers(a));
+    let round =
+        |body: &Body| -> Vec<Vector> { body.ellipsoids.iter().map(|round| round.center).collect() };
+    let (mut corners_a, ways_a) = a.flat(&centers(b));
+    let (mut corners_b, ways_b) = b.flat(&centers(a));
+    corners_a.extend(round(a));
+    corners_b.extend(round(b));
     let ways: Vec<Vector> = ways_a.into_iter().chain(ways_b).collect();
     let mut normals = ways.clone();
     for (i, u) in ways.iter().enumerate() {
@@ -318,5 +457,12 @@ fn best(a: &Body, b: &Body) -> f64 {
     }
     let gap = |n: Vector| -b.reach(-n) - a.reach(n);
     let both = normals.into_iter().filter_map(unit);
-    both.fold(f64::NEG_INFINITY, |most, n| most.max(gap(n)).max(gap(-n)))
+    let signed = both.flat_map(|n| [n, -n]).map(|n| (gap(n), n));
+    let Some((most, normal)) = signed.max_by(|p, q| p.0.total_cmp(&q.0)) else {
+        return f64::NEG_INFINITY;
+    };
+    match curved(a, b) {
+        true => most.max(best_near(&gap, normal)),
+        false => most,
+    }
 }

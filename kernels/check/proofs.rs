@@ -2,8 +2,8 @@
 use crate::ad::check::certificate::{Body, Proof, Proved};
 use crate::kernels::dynamic::{Function, Operation, Rows};
 use crate::{
-    Aabb3, Capsule3, Cone, Cylinder, Fixed, Hull3, Line3, Obb3, Plane3, Ray3, Real, RoundBox3,
-    Segment3, Sphere, Tetrahedron, Triangle3, Vec3, YawBox3,
+    Aabb3, Capsule3, Cone, Cylinder, Disc, Ellipsoid, Fixed, Hull3, Line3, Obb3, Plane3, Ray3,
+    Real, RoundBox3, Segment3, Sphere, Tetrahedron, Triangle3, Vec3, YawBox3,
 };
 
 /// Returns a box as a body, from its size and its axes.
@@ -76,6 +76,11 @@ fn body<'a>(shape: &str, x: Numbers<'a>) -> Option<(Body, Numbers<'a>)> {
             Body::cylinder(s.start, s.end, s.radius)
         }),
         "Cone" => of(x, |s: Cone<f64>| Body::cone(s.apex, s.base, s.radius)),
+        "Disc" => of(x, |s: Disc<f64>| Body::disc(s.center, s.normal, s.radius)),
+        "Ellipsoid" => of(x, |s: Ellipsoid<f64>| {
+            let half = [s.semi_axes.x, s.semi_axes.y, s.semi_axes.z];
+            Body::ellipsoid(s.center, half, turned(|v| s.rotation * v))
+        }),
         "Plane3" => of(x, |plane: Plane3<f64>| {
             Body::half_space(plane.normal, plane.offset)
         }),

@@ -243,6 +243,24 @@ impl Operation {
     /// [`Error::Program`] for folds ([`Unrecordable::Path`]), the errors of recording it, and those of
     /// [`Function::aligned`] for an input.
     pub fn replay<T: Real>(&self, input: &[&[T]]) -> Result<Program<T>, Error> {
+        match self.decided(input)? {
+            Some((program, _)) => Ok(program),
+            None => self.program(),
+        }
+    }
+
+    /// Returns the [hints](crate::kernels::HintedSearch) of a search for one input, which its [`replay`](Self::replay)
+    /// takes as an argument named `hints`; none for other operations, and for searches without hints.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`replay`](Self::replay).
+    pub fn hints<T: Real>(&self, input: &[&[T]]) -> Result<Vec<T>, Error> {
+        Ok(self.decided(input)?.map_or_else(Vec::new, |found| found.1))
+    }
+
+    /// Returns the replay of a search for one input, and the hints; `None` for straight lines.
+    fn decided<T: Real>(&self, input: &[&[T]]) -> Result<Option<(Program<T>, Vec<T>)>, Error> {
         let Some(function) = self.value::<T>() else {
             return Err(self.not_a_program());
         };
@@ -251,20 +269,19 @@ impl Operation {
         function.aligned(&rows)?;
         let recording = function.recording;
         let Body::Search(search) = &recording.body else {
-            return self.program();
+            return Ok(None);
         };
         let replays = search.replays(Mode::Value);
-        let decided = replays.decide(&input.concat(), &mut Vec::new())?;
+        let mut taken = Vec::new();
+        let decided = replays.decide(&input.concat(), &mut taken)?;
         let leaves = recording.takes.iter().map(|leaf| leaf.without_codes());
         let mut takes: Vec<_> = function.names.into_iter().zip(leaves).collect();
         if replays.hints() > 0 {
             takes.push((Argument::named("hints"), Leaf::numbers(replays.hints())));
         }
-        Ok(Program::new(
-            (*decided).clone(),
-            takes,
-            recording.outputs.clone(),
-        ))
+        let hints = taken.split_off(taken.len() - replays.hints());
+        let program = Program::new((*decided).clone(), takes, recording.outputs.clone());
+        Ok(Some((program, hints)))
     }
 
     /// Returns a fold as a program, for paths of `vertices` vertices; their numbers follow the other arguments.

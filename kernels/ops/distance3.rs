@@ -6,7 +6,7 @@ use crate::distance3::{Contact3, PointPair3};
 use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{self, Distance, FarthestDistance, SignedDistance, SquaredDistance};
 use crate::{
-    Aabb3, Capsule3, Cone, Cylinder, Line3, Obb3, Plane3, Ray3, RoundBox3, Segment3, Sphere, Tetrahedron,
+    Aabb3, Capsule3, Cone, Cylinder, Disc, Ellipsoid, Line3, Obb3, Plane3, Ray3, RoundBox3, Segment3, Sphere, Tetrahedron,
     Triangle3, Vec3, YawBox3,
 };
 
@@ -112,6 +112,8 @@ table! {
         "signed_distance_plane_obb3": Plane3, Obb3;
         "signed_distance_plane_cylinder": Plane3, Cylinder;
         "signed_distance_plane_cone": Plane3, Cone;
+        "signed_distance_plane_ellipsoid": Plane3, Ellipsoid;
+        "signed_distance_plane_disc": Plane3, Disc;
         "signed_distance_line_sphere": Line3, Sphere;
         "signed_distance_ray_sphere": Ray3, Sphere;
         "signed_distance_sphere_segment3": Sphere, Segment3;

@@ -4,7 +4,7 @@ use crate::kernels::ops::convention::unsigned;
 use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::Move;
 use crate::{
-    Capsule2, Capsule3, Circle, Cone, Cylinder, Line2, Line3, Obb2, Obb3, Plane3, Pose2, Pose3, Ray2, Ray3,
+    Capsule2, Capsule3, Circle, Cone, Cylinder, Disc, Ellipsoid, Line2, Line3, Obb2, Obb3, Plane3, Pose2, Pose3, Ray2, Ray3,
     RoundBox3, Segment2, Segment3, Sphere, Tetrahedron, Triangle2, Triangle3, Vec2, Vec3,
 };
 
@@ -77,6 +77,14 @@ table! {
     /// A cone, moved by a pose.
     Move: (pose, shape) -> Cone<S> { unsigned(pose * shape) } [] (jumps Never) derivative Reverse {
         "move_cone": Pose3, Cone;
+    }
+    /// An ellipsoid, moved by a pose.
+    Move: (pose, shape) -> Ellipsoid<S> { unsigned(pose * shape) } [] (jumps Never) derivative Reverse {
+        "move_ellipsoid": Pose3, Ellipsoid;
+    }
+    /// A disc, moved by a pose.
+    Move: (pose, shape) -> Disc<S> { unsigned(pose * shape) } [] (jumps Never) derivative Reverse {
+        "move_disc": Pose3, Disc;
     }
     /// A box with round edges, moved by a pose.
     Move: (pose, shape) -> RoundBox3<S> { unsigned(pose * shape) } [] (jumps Never) derivative Reverse {

@@ -5,9 +5,9 @@ use crate::convention::{
 };
 use crate::iou::Exponent;
 use crate::{
-    Aabb2, Aabb3, Capsule2, Capsule3, Circle, Cone, ConvexPolygon, Cylinder, Hull3, Interval,
-    Line2, Line3, Obb2, Obb3, Plane3, Pose2, Pose3, Ray2, Ray3, Rotation3, RoundBox3, Segment2,
-    Segment3, Sphere, Tetrahedron, Triangle2, Triangle3, Vec2, Vec3, YawBox3,
+    Aabb2, Aabb3, Capsule2, Capsule3, Circle, Cone, ConvexPolygon, Cylinder, Disc, Ellipsoid,
+    Hull3, Interval, Line2, Line3, Obb2, Obb3, Plane3, Pose2, Pose3, Ray2, Ray3, Rotation3,
+    RoundBox3, Segment2, Segment3, Sphere, Tetrahedron, Triangle2, Triangle3, Vec2, Vec3, YawBox3,
 };
 
 /// A shape in the documentation and the invariances of a row.
@@ -116,6 +116,8 @@ nouns! {
     [] Capsule3<f64>:    "capsule",  "a capsule of space",         "two capsules of space",         SPACE;
     [] Cylinder<f64>:    "cylinder", "a cylinder",                 "two cylinders",                 SPACE;
     [] Cone<f64>:        "cone",     "a cone",                     "two cones",                     SPACE;
+    [] Ellipsoid<f64>:   "ellipsoid", "an ellipsoid",              "two ellipsoids",                SPACE;
+    [] Disc<f64>:        "disc",     "a disc",                     "two discs",                     SPACE;
     [] Plane3<f64>:      "plane",    "a half-space",               "two half-spaces",               SPACE;
     [] Line3<f64>:       "line",     "a line of space",            "two lines of space",            SPACE;
     [] Ray3<f64>:        "ray",      "a ray of space",             "two rays of space",             SPACE;

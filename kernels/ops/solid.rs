@@ -2,7 +2,7 @@
 use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{Centroid, Inertia, Surface, Volume};
 use crate::{
-    Aabb3, Capsule3, Cone, Cylinder, Obb3, RoundBox3, Sphere, Symmetric3, Tetrahedron, Vec3,
+    Aabb3, Capsule3, Cone, Cylinder, Ellipsoid, Obb3, RoundBox3, Sphere, Symmetric3, Tetrahedron, Vec3,
     YawBox3,
 };
 
@@ -20,6 +20,7 @@ table! {
         "volume_cone": Cone;
         "volume_tetrahedron": Tetrahedron;
         "volume_round_box": RoundBox3;
+        "volume_ellipsoid": Ellipsoid;
     }
     /// The volume of {}.
     Volume: (shape) -> S { shape.volume().saturated().canonical() } [rigid(3)]

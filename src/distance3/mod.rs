@@ -53,17 +53,20 @@
 //! | half-space | d q S c p - | d q S c p - | d q S c p - | d q S c P - | d q S c p - | d q S c p - | d q S c P - | d q S c p - |
 //! | cylinder | D q S c p f | d q S c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f |
 //! | cone | D q S c p f | d q S c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f |
-//! | ellipsoid, disc, own | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f |
+//! | ellipsoid | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f |
+//! | disc | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f |
+//! | own shape | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f |
 //! | hull | D q S C p f | D q S C P f | D q s c p f | D q S C P f | D q S c p f | D q S c p f | D q S C P f | D q S c P f |
 //!
 //! | line | D q s C p - | d q S c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - |
 //! | ray | D q s c p - | d q S c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - |
 //!
-//! Two hulls have D Q S C P f, a half-space and a hull d q S c P. Cylinders, cones, ellipsoids, discs and own shapes have
-//! d q s c p f among themselves, and d q s c p from half-spaces; pairs that [`curved`] searches have methods for one item
-//! at a time alone, not for batches. So have hulls and curved shapes d q s c p f, and lines and rays d q s c p from both.
-//! Lines and rays have d q s c p among themselves, any two D, two lines C, too. For a solid, the part of them near it
-//! counts; its ends are rounded as the solid's corners are. Rays, lines and segments against solids: [`intersection3`](crate::intersection3).
+//! Two hulls have D Q S C P f, a half-space and a hull d q S c P. Cylinders, cones, ellipsoids and discs have D q S c p f
+//! among themselves (two cylinders, two ellipsoids and a cylinder and an ellipsoid C and P, too), and d q S c p from
+//! half-spaces. Own shapes have d q s c p f from these, hulls and curved shapes d q s c p f, and lines and rays d q s c p
+//! from both, for one item at a time. Lines and rays have d q s c p among themselves, any two D, two lines C, too. For a
+//! solid, the part of them near it counts; its ends are rounded as the solid's corners are. Rays, lines and segments
+//! against solids: [`intersection3`](crate::intersection3).
 //!
 //! # Derivatives
 //!

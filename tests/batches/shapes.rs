@@ -65,8 +65,10 @@ fn meant(word: &str) -> &'static [&'static str] {
         "line" => &["Line3"],
         "ray" => &["Ray3"],
         "hull" => &["Hull3_8"],
+        "ellipsoid" => &["Ellipsoid"],
+        "disc" => &["Disc"],
         // Without rows.
-        "ellipsoid, disc, own" => &[],
+        "own shape" => &[],
         _ => panic!("{word} is no shape of the table"),
     }
 }

@@ -131,7 +131,8 @@ pub fn replays<T: Real>(row: &Tested) -> Vec<Case<T>> {
         // A program takes and gives scalars alone.
         let scalars = |x: &[T], own: &Layout<T>| x[..own.fields() - own.codes()].to_vec();
         let taken = lists.iter().zip(&layouts).map(|(x, own)| scalars(x, own));
-        let taken: Vec<T> = taken.flatten().collect();
+        let hints = operation.hints::<T>(&slices).expect(name);
+        let taken: Vec<T> = taken.flatten().chain(hints).collect();
         // Derivatives by hand have roundings of their own: those of the replay are the program's.
         let mut expected = program.eval(&taken).expect(name);
         let of_search = found.iter().flatten().copied();

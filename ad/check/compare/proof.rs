@@ -32,6 +32,12 @@ pub(crate) fn proof(e: &Evidence<'_>) -> Notes {
     if proof.is_endless() && (distance - parted).abs() > tolerance {
         tolerance += SAFETY * e.deviation_of_many(&e.y, |x| Some(e.subject.value(x)))[0];
     }
+    // Of curved bodies that overlap every plane is a bound, and the best one need not be among those tried.
+    let is_bound = !bounds.is_depth && parted <= 0.0 && distance <= tolerance;
+    let gap = match is_bound {
+        true => (parted - distance).max(0.0),
+        false => (distance - parted).abs(),
+    };
     let mut compare = |pair: usize, witness: Witness, other: f64, gap: f64| {
         let numbers = ByWitness::pair(distance, other);
         let at = Tightest {
@@ -45,7 +51,7 @@ pub(crate) fn proof(e: &Evidence<'_>) -> Notes {
             notes.add_fault_with(reason, None, (0, 0), numbers, tolerance);
         }
     };
-    compare(7, Witness::Planes, parted, (distance - parted).abs());
+    compare(7, Witness::Planes, parted, gap);
     if let Some([apart, off]) = bounds.points.filter(|_| parted > tolerance) {
         compare(8, Witness::Points, apart, (distance - apart).abs().max(off));
     }

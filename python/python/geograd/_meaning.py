@@ -62,6 +62,9 @@ SHAPES = {
     "Capsule3": "All points at most a radius from a segment of space.",
     "Cylinder": "A cylinder around the segment from the middle of one end to that of the other, which differ.",
     "Cone": "A cone: its apex and the middle of its base, which differ, and the base's radius.",
+    "Ellipsoid": "An ellipsoid: the centre, half of the extents along its own axes, and the rotation of these as a quaternion "
+    "(w, x, y, z) of any length.",
+    "Disc": "A flat disc: the centre, a vector of any length orthogonal to it, and the radius.",
     "Sphere": "A ball.",
     "Line3": "A line of space: a point of it, and a direction of any length.",
     "Ray3": "Half a line of space: its start, and a direction of any length.",

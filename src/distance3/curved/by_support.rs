@@ -158,14 +158,14 @@ impl<A: SupportFunction<Scalar = f64>> Supported for InUnits<A, f64> {
 
 impl<S, A> Curved for BySupport<A>
 where
-    S: Scalar<Mask = bool>,
+    S: Scalar,
     A: SupportFunction<Scalar = S, With<f64>: SupportFunction<Scalar = f64>>,
 {
     type Placed = InUnits<A, S>;
     fn anchor_point(&self) -> Vec3<S> {
         self.0.support(axes()[0])
     }
-    fn in_units(&self, from: Vec3<S>, scale: S) -> InUnits<A, S> {
+    fn in_units(&self, from: Vec3<S>, scale: S, _: S) -> InUnits<A, S> {
         InUnits {
             shape: self.0,
             from,

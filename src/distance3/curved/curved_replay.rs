@@ -4,9 +4,9 @@
 //! plain numbers gives them first derivatives, and the signed distance, which is stationary there, first and second
 //! ones. A second step gives the normal and the points second derivatives. Places on pieces that are not stationary are
 //! fixed.
-use super::piece::{Piece, Place};
-use super::solid_pair::Found;
-use super::touch::{System, Touch, lit};
+use super::hints::{CurvedRecord, Hints};
+use super::piece::Piece;
+use super::touch::{MOST, Touch};
 use crate::arrays::Each;
 use crate::distance3::relation::{Relation, square_of_gap};
 use crate::distance3::spot::vanish;
@@ -18,51 +18,57 @@ pub trait Pieces<S: Scalar>: Copy {
     fn piece_at(&self, k: usize, normal: Vec3<S>) -> Piece<S>;
 }
 
-/// Returns a place of constants.
-fn constant<S: Scalar>(place: &Place<f64>) -> Place<S> {
-    Place {
-        y: place.y.map(S::lit),
-        s: S::lit(place.s),
-        pull: S::lit(place.pull),
-    }
-}
-
-/// Returns the relation of two solids from a touch of their pieces, given these as plain numbers, too. The side is −1
-/// for points that are the farthest from each other, else 1.
+/// Returns the relation of two solids from a touch of their pieces. The side is −1 for points that are the farthest from
+/// each other, else 1.
+// All pairs of shapes share it: a solid is one of a few.
+#[inline(never)]
 pub fn replay<S: Scalar>(
-    (a, b): (impl Pieces<S>, impl Pieces<S>),
-    plain: [Piece<f64>; 2],
-    found: &Found,
+    a: &impl Pieces<S>,
+    b: &impl Pieces<S>,
+    record: CurvedRecord,
+    hints: &Hints<S>,
     side: f64,
 ) -> Relation<S> {
-    let side = S::lit(side);
-    let system = System::new([&plain[0], &plain[1]], &found.touch);
-    let kinds = [plain[0].kind, plain[1].kind];
-    let [i, j] = found.pieces;
-    let mut touch = Touch {
-        normal: lit::<S>(found.touch.normal),
-        a: constant(&found.touch.a),
-        b: constant(&found.touch.b),
+    let Some([i, j]) = record.pieces.map(|both| both.map(usize::from)) else {
+        let (zero, none) = (S::zero(), Vec3::zero());
+        return Relation {
+            apart: zero,
+            square: zero,
+            normal: none,
+            on_a: none,
+            on_b: none,
+        };
     };
+    let side = S::lit(side);
+    let mut touch = hints.touch;
     let pieces = |touch: &Touch<S>| {
         let out = touch.normal * side;
         (a.piece_at(i, out), b.piece_at(j, -out))
     };
     let step = |touch: &Touch<S>| {
         let (of_a, of_b) = pieces(touch);
-        let residuals = system.residuals([&of_a, &of_b], touch).each_as(vanish);
-        system.moved(kinds, touch, &system.solve(&residuals))
+        let residuals = hints.frame.residuals([&of_a, &of_b], touch);
+        let residuals = residuals.each_as(vanish);
+        let kinds = [of_a.kind, of_b.kind];
+        let count = 2 + kinds[0].unknowns() + kinds[1].unknowns();
+        let mut changes = [S::zero(); MOST];
+        for (change, row) in changes.iter_mut().zip(&hints.inverse).take(count) {
+            for (&by, &residual) in row.iter().zip(&residuals).take(count) {
+                *change += by * residual;
+            }
+        }
+        hints.frame.moved(kinds, touch, &changes)
     };
     let points = |touch: &Touch<S>| {
         let (of_a, of_b) = pieces(touch);
         [of_a.at(&touch.a), of_b.at(&touch.b)]
     };
-    if found.settled {
+    if record.settled {
         touch = step(&touch);
     }
     let [on_a, on_b] = points(&touch);
     let apart = touch.normal.dot(on_b - on_a);
-    if found.settled {
+    if record.settled {
         touch = step(&touch);
     }
     let [on_a, on_b] = points(&touch);

@@ -79,7 +79,7 @@ impl Solids<'_> {
             };
             let value = self.value(touch.normal);
             let error = ((b.at(&on.b) - a.at(&on.a)) - touch.normal * value).length();
-            let residuals = system.residuals([&a, &b], &touch);
+            let residuals = system.frame.residuals([&a, &b], &touch);
             let changes = system.solve(&residuals);
             let change = changes.iter().map(|x| x * x).sum::<f64>().sqrt();
             let exact = error <= EXACT * self.size;
@@ -106,7 +106,9 @@ impl Solids<'_> {
                 break;
             }
             let limit = (0.7 / change).min(1.0);
-            touch = system.moved([a.kind, b.kind], &touch, &changes.map(|x| x * limit));
+            touch = system
+                .frame
+                .moved([a.kind, b.kind], &touch, &changes.map(|x| x * limit));
         }
         kept.map(|kept| kept.0)
     }

@@ -27,6 +27,7 @@ mod by_support;
 mod curved_replay;
 mod curved_search;
 mod expand;
+mod hints;
 mod hull_solid;
 mod level;
 mod piece;
@@ -52,19 +53,33 @@ use crate::shape::{
 use crate::{Pack, Scalar, Vec3};
 pub use by_support::{BySupport, SupportFunction};
 use curved_replay::{Pieces, replay};
+use hints::Hints;
+pub(crate) use hints::{CurvedRecord, HINTS};
 use piece::Piece;
-use smooth_solid::{Solid, across};
+use smooth_solid::{Solid, across, begins_by_x};
 use support::Supported;
+use touch::System;
 
 /// A convex shape of space whose surface consists of smooth pieces, inflated by a radius.
-pub(crate) trait Curved: Copy + Pack<Scalar: Scalar<Mask = bool>> {
+pub(crate) trait Curved: Copy + Pack<Scalar: Scalar> {
     /// The shape in the units of a search.
     #[doc(hidden)]
     type Placed: Placed<Self::Scalar>;
     /// Returns a point of it, to which a pair is relative.
     fn anchor_point(&self) -> Vec3<Self::Scalar>;
-    /// Returns the shape relative to a point, in other units.
-    fn in_units(&self, from: Vec3<Self::Scalar>, scale: Self::Scalar) -> Self::Placed;
+    /// Returns its axis of rotation, if the shape has one.
+    #[inline]
+    fn axis(&self) -> Option<Vec3<Self::Scalar>> {
+        None
+    }
+    /// Returns the shape relative to a point, in other units. Directions across its axis begin by x where a number is
+    /// one, by y where it is zero.
+    fn in_units(
+        &self,
+        from: Vec3<Self::Scalar>,
+        scale: Self::Scalar,
+        by_x: Self::Scalar,
+    ) -> Self::Placed;
     /// Returns the radius of the inflation, if it may be other than zero.
     #[inline]
     fn rounding(&self) -> Option<Self::Scalar> {
@@ -103,12 +118,12 @@ fn halves<S: Scalar>(size: Vec3<S>) -> [S; 3] {
     [size.x, size.y, size.z]
 }
 
-impl<S: Scalar<Mask = bool>> Curved for Ellipsoid<S> {
+impl<S: Scalar> Curved for Ellipsoid<S> {
     type Placed = Solid<S>;
     fn anchor_point(&self) -> Vec3<S> {
         self.center
     }
-    fn in_units(&self, from: Vec3<S>, scale: S) -> Solid<S> {
+    fn in_units(&self, from: Vec3<S>, scale: S, _: S) -> Solid<S> {
         let ball = Solid::Ball {
             center: self.center,
             ways: axes(self.rotation),
@@ -118,61 +133,70 @@ impl<S: Scalar<Mask = bool>> Curved for Ellipsoid<S> {
     }
 }
 
-impl<S: Scalar<Mask = bool>> Curved for Disc<S> {
+impl<S: Scalar> Curved for Disc<S> {
     type Placed = Solid<S>;
     fn anchor_point(&self) -> Vec3<S> {
         self.center
     }
-    fn in_units(&self, from: Vec3<S>, scale: S) -> Solid<S> {
+    fn axis(&self) -> Option<Vec3<S>> {
+        Some(self.normal)
+    }
+    fn in_units(&self, from: Vec3<S>, scale: S, by_x: S) -> Solid<S> {
         let disc = Solid::Disc {
             center: self.center,
-            ways: across(self.normal),
+            ways: across(self.normal, by_x),
             radius: self.radius,
         };
         disc.placed(from, scale)
     }
 }
 
-impl<S: Scalar<Mask = bool>> Curved for Cylinder<S> {
+impl<S: Scalar> Curved for Cylinder<S> {
     type Placed = Solid<S>;
     fn anchor_point(&self) -> Vec3<S> {
         self.start
     }
-    fn in_units(&self, from: Vec3<S>, scale: S) -> Solid<S> {
+    fn axis(&self) -> Option<Vec3<S>> {
+        Some(self.end - self.start)
+    }
+    fn in_units(&self, from: Vec3<S>, scale: S, by_x: S) -> Solid<S> {
         let axis = self.end - self.start;
         let can = Solid::Cylinder {
             start: self.start,
             axis,
-            ways: across(axis),
+            ways: across(axis, by_x),
             radius: self.radius,
         };
         can.placed(from, scale)
     }
 }
 
-impl<S: Scalar<Mask = bool>> Curved for Cone<S> {
+impl<S: Scalar> Curved for Cone<S> {
     type Placed = Solid<S>;
     fn anchor_point(&self) -> Vec3<S> {
         self.apex
     }
-    fn in_units(&self, from: Vec3<S>, scale: S) -> Solid<S> {
+    fn axis(&self) -> Option<Vec3<S>> {
+        Some(self.base - self.apex)
+    }
+    fn in_units(&self, from: Vec3<S>, scale: S, by_x: S) -> Solid<S> {
         let axis = self.base - self.apex;
         let hat = Solid::Cone {
             apex: self.apex,
             axis,
-            ways: across(axis),
+            ways: across(axis, by_x),
             radius: self.radius,
         };
         hat.placed(from, scale)
     }
 }
 
-impl<A: InflatedCore<Scalar: Scalar<Mask = bool>>> Curved for A {
+impl<A: InflatedCore> Curved for A {
     type Placed = Solid<A::Scalar>;
     fn anchor_point(&self) -> Vec3<A::Scalar> {
         self.core().anchor()
     }
-    fn in_units(&self, from: Vec3<A::Scalar>, scale: A::Scalar) -> Solid<A::Scalar> {
+    fn in_units(&self, from: Vec3<A::Scalar>, scale: A::Scalar, _: A::Scalar) -> Solid<A::Scalar> {
         let core = self.core().placed(from, scale);
         if let Some(shape) = core.as_box() {
             return Solid::Box {
@@ -193,46 +217,91 @@ impl<A: InflatedCore<Scalar: Scalar<Mask = bool>>> Curved for A {
     }
 }
 
-/// Returns the relation of the points of two shapes that are the nearest, or the farthest; zero for shapes that are not
-/// finite.
-fn found<S, A, B>(a: &A, b: &B, farthest: bool) -> Relation<S>
+/// Returns the decisions about two shapes and the hints of a search for their nearest points, or the farthest.
+fn search<S, A, B>(a: &A, b: &B, farthest: bool) -> (CurvedRecord, Hints<S>)
 where
     S: Scalar<Mask = bool>,
     A: Curved<Scalar = S>,
     B: Curved<Scalar = S>,
 {
     let from = a.anchor_point().constant();
+    let begin = |axis: Option<Vec3<S>>| axis.map_or(S::zero(), begins_by_x);
+    let by_x = [begin(a.axis()), begin(b.axis())];
     let one = S::one();
     let reach = a
-        .in_units(from, one)
+        .in_units(from, one, by_x[0])
         .reach()
-        .most(b.in_units(from, one).reach());
+        .most(b.in_units(from, one, by_x[1]).reach());
     let scale = scale_of::<S>(reach);
-    let (of_a, of_b) = (a.in_units(from, scale), b.in_units(from, scale));
-    let found = of_a
-        .plain()
-        .zip(of_b.plain())
-        .and_then(|(plain_a, plain_b)| {
-            let (plain_a, plain_b): (&dyn Supported, &dyn Supported) = (&plain_a, &plain_b);
-            let (found, side) = match farthest {
-                true => (curved_search::search_farthest(plain_a, plain_b)?, -1.0),
-                false => (curved_search::search(plain_a, plain_b)?, 1.0),
-            };
-            let found = found.replayed([plain_a, plain_b]);
-            let pieces = solid_pair::pieces([plain_a, plain_b], &found, side);
-            Some(replay((of_a, of_b), pieces, &found, side))
-        });
-    let Some(found) = found else {
-        let (zero, none) = (S::zero(), Vec3::zero());
-        return Relation {
-            apart: zero,
-            square: zero,
-            normal: none,
-            on_a: none,
-            on_b: none,
-        };
+    let of_a = a.in_units(from, scale, by_x[0]).plain();
+    let of_b = b.in_units(from, scale, by_x[1]).plain();
+    let (record, hints) = match of_a.zip(of_b) {
+        Some((of_a, of_b)) => decided(&of_a, &of_b, farthest, scale, by_x),
+        None => hints::none(),
     };
-    let back = S::one().over(scale);
+    noted::<S::Primal>(record);
+    (record, hints)
+}
+
+/// Returns the decisions about two solids and the hints.
+// All pairs of shapes share it.
+#[inline(never)]
+fn decided<S: Scalar>(
+    a: &dyn Supported,
+    b: &dyn Supported,
+    farthest: bool,
+    scale: S,
+    by_x: [S; 2],
+) -> (CurvedRecord, Hints<S>) {
+    let (found, side) = match farthest {
+        true => (curved_search::search_farthest(a, b), -1.0),
+        false => (curved_search::search(a, b), 1.0),
+    };
+    match found {
+        Some(found) => {
+            let found = found.replayed([a, b]);
+            let [of_a, of_b] = solid_pair::pieces([a, b], &found, side);
+            let system = System::new([&of_a, &of_b], &found.touch);
+            hints::of(&found, &system, scale, by_x)
+        }
+        None => hints::none(),
+    }
+}
+
+/// Compares constants by the record, so that traces of comparisons differ where records do. For plain numbers this is
+/// nothing.
+#[inline(always)]
+fn noted<P: Scalar>(record: CurvedRecord) {
+    let bit = |one: bool| {
+        let side = P::lit(if one { 1.0 } else { -1.0 });
+        let _ = side.below(-side);
+    };
+    bit(record.settled);
+    for byte in record.pieces.into_iter().flatten() {
+        (0..8).for_each(|k| bit(byte >> k & 1 == 1));
+    }
+}
+
+/// Returns the relation of the points of two shapes that a search found; zero for shapes that are not finite.
+fn related<S, A, B>(
+    a: &A,
+    b: &B,
+    (record, hints): &(CurvedRecord, Hints<S>),
+    side: f64,
+) -> Relation<S>
+where
+    S: Scalar,
+    A: Curved<Scalar = S>,
+    B: Curved<Scalar = S>,
+{
+    let from = a.anchor_point().constant();
+    let [of_a, of_b] = hints.by_x;
+    let (of_a, of_b) = (
+        a.in_units(from, hints.scale, of_a),
+        b.in_units(from, hints.scale, of_b),
+    );
+    let found = replay(&of_a, &of_b, *record, hints, side);
+    let back = S::one().over(hints.scale);
     let apart = found.apart * back;
     Relation {
         apart,
@@ -243,14 +312,41 @@ where
     }
 }
 
-/// Returns the relation of two shapes.
-fn relate<S, A, B>(a: A, b: B) -> Relation<S>
+/// Returns the decisions about two shapes, and the hints of the search.
+#[must_use]
+pub(crate) fn curved_search<S, A, B>(a: &A, b: &B) -> (CurvedRecord, [S; HINTS])
 where
     S: Scalar<Mask = bool>,
     A: Curved<Scalar = S>,
     B: Curved<Scalar = S>,
 {
-    let found = found(&a, &b, false);
+    let (record, hints) = search(a, b, false);
+    (record, hints.store())
+}
+
+/// Returns the relation of two shapes from the decisions and hints of [`curved_search`].
+#[must_use]
+pub(crate) fn curved_replay<S, A, B>(
+    a: &A,
+    b: &B,
+    record: CurvedRecord,
+    hints: &[S; HINTS],
+) -> Relation<S>
+where
+    S: Scalar,
+    A: Curved<Scalar = S>,
+    B: Curved<Scalar = S>,
+{
+    inflated(a, b, related(a, b, &(record, Hints::load(hints)), 1.0))
+}
+
+/// Returns the relation of two shapes from that of the solids which they inflate.
+fn inflated<S, A, B>(a: &A, b: &B, found: Relation<S>) -> Relation<S>
+where
+    S: Scalar,
+    A: Curved<Scalar = S>,
+    B: Curved<Scalar = S>,
+{
     match (a.rounding(), b.rounding()) {
         (None, None) => found,
         (p, q) => {
@@ -260,6 +356,16 @@ where
     }
 }
 
+/// Returns the relation of two shapes.
+fn relate<S, A, B>(a: A, b: B) -> Relation<S>
+where
+    S: Scalar<Mask = bool>,
+    A: Curved<Scalar = S>,
+    B: Curved<Scalar = S>,
+{
+    inflated(&a, &b, related(&a, &b, &search(&a, &b, false), 1.0))
+}
+
 /// Returns the longest distance of points of two shapes.
 fn farthest<S, A, B>(a: A, b: B) -> S
 where
@@ -267,7 +373,7 @@ where
     A: Curved<Scalar = S>,
     B: Curved<Scalar = S>,
 {
-    let longest = found(&a, &b, true).apart;
+    let longest = related(&a, &b, &search(&a, &b, true), -1.0).apart;
     let none = longest.at_most(S::zero());
     let radii = [a.rounding(), b.rounding()].map(|radius| radius.unwrap_or(S::zero()));
     let longest = if none { S::zero() } else { longest };

@@ -33,6 +33,10 @@ impl PieceKind {
     pub fn has_axis(self) -> bool {
         matches!(self, PieceKind::Line | PieceKind::Side)
     }
+    /// Returns the number of unknowns: coordinates, their multiplier and the share.
+    pub fn unknowns(self) -> usize {
+        self.ways() + usize::from(self.is_round()) + usize::from(self.has_axis())
+    }
     /// Returns `true` if the coordinates along ways have the length one.
     pub fn is_round(self) -> bool {
         matches!(self, PieceKind::Rim | PieceKind::Side | PieceKind::Ball)

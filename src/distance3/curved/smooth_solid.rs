@@ -46,15 +46,18 @@ pub enum Solid<S> {
 const EDGES: [[usize; 2]; 6] = [[0, 1], [1, 2], [2, 0], [0, 3], [1, 3], [2, 3]];
 const FACES: [[usize; 3]; 4] = [[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]];
 
-/// Returns two directions of length one across a vector and each other.
-pub fn across<S: Scalar<Mask = bool>>(axis: Vec3<S>) -> [Vec3<S>; 2] {
-    let along = axis.normalize_or_zero();
-    let (zero, one) = (S::zero(), S::one());
+/// Returns one if directions across a vector begin with that across x, zero if across y: whichever the vector is farther
+/// from.
+pub fn begins_by_x<S: Scalar>(axis: Vec3<S>) -> S {
+    let along = axis.constant().normalize_or_zero();
     let steep = along.x.magnitude().below(S::lit(0.6));
-    let helper = match steep {
-        true => Vec3::new(one, zero, zero),
-        false => Vec3::new(zero, one, zero),
-    };
+    S::select(steep, S::one(), S::zero())
+}
+
+/// Returns two directions of length one across a vector and each other, given [how they begin](begins_by_x).
+pub fn across<S: Scalar>(axis: Vec3<S>, by_x: S) -> [Vec3<S>; 2] {
+    let along = axis.normalize_or_zero();
+    let helper = Vec3::new(by_x, S::one() - by_x, S::zero());
     let first = along.cross(helper).normalize_or_zero();
     [first, along.cross(first)]
 }

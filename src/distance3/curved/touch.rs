@@ -29,16 +29,14 @@ pub struct Touch<S> {
 
 /// Constants by which a piece's equations are multiplied, so that none vanishes with the solid's size.
 #[derive(Clone, Copy, Debug)]
-struct Units {
-    /// The units of the equations by coordinates: shares of the largest half extent of an ellipsoid, else ones.
-    shares: [f64; 3],
+pub struct Units<S> {
     /// One over the largest half extent of an ellipsoid; 0 if that is zero.
-    over: f64,
+    pub over: S,
     /// The unit of the equation by the share of the axis: one over its length.
-    axis: f64,
+    pub axis: S,
 }
 
-impl Units {
+impl Units<f64> {
     fn of(piece: &Piece<f64>, place: &Place<f64>) -> Self {
         let length = piece.by_share(place).length();
         let most = piece.sizes.iter().copied().fold(0.0, f64::max);
@@ -47,13 +45,18 @@ impl Units {
                 true => 1.0 / most,
                 false => 0.0,
             },
-            shares: match piece.kind {
-                PieceKind::Ball => shares(&piece.sizes),
-                _ => [1.0; 3],
-            },
             axis: if length > 0.0 { 1.0 / length } else { 0.0 },
         }
     }
+}
+
+/// The constants of the equations about a touch.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame<S> {
+    /// Two directions of length one across the normal and each other.
+    pub tangents: [Vec3<S>; 2],
+    /// The units of both pieces' equations.
+    pub units: [Units<S>; 2],
 }
 
 /// Returns two directions of length one across a direction and each other.
@@ -82,8 +85,8 @@ pub struct System {
     pub rank: usize,
     rows: [usize; MOST],
     columns: [usize; MOST],
-    tangents: [Vec3<f64>; 2],
-    units: [Units; 2],
+    /// Its constants.
+    pub frame: Frame<f64>,
 }
 
 impl System {
@@ -99,8 +102,10 @@ impl System {
             rank: 0,
             rows: std::array::from_fn(|k| k),
             columns: std::array::from_fn(|k| k),
-            tangents: tangents(touch.normal),
-            units: [0, 1].map(|side: usize| Units::of(pieces[side], places[side])),
+            frame: Frame {
+                tangents: tangents(touch.normal),
+                units: [0, 1].map(|side: usize| Units::of(pieces[side], places[side])),
+            },
         };
         system.matrix[0][0] = -gap;
         system.matrix[1][1] = -gap;
@@ -111,16 +116,21 @@ impl System {
     }
     /// Adds the unknowns and equations of a piece with an outer normal.
     fn add(&mut self, piece: &Piece<f64>, place: &Place<f64>, normal: Vec3<f64>, side: usize) {
-        let (sign, units) = (if side == 0 { -1.0 } else { 1.0 }, self.units[side]);
+        let (sign, units) = (if side == 0 { -1.0 } else { 1.0 }, self.frame.units[side]);
+        // The equations by coordinates have shares of the largest half extent of an ellipsoid as units.
+        let shares = match piece.kind {
+            PieceKind::Ball => shares(&piece.sizes),
+            _ => [1.0; 3],
+        };
         let (kind, at) = (piece.kind, self.count);
         let ways = kind.ways();
         let (pull, share) = (at + ways, at + ways + usize::from(kind.is_round()));
         let m = &mut self.matrix;
         for j in 0..ways {
             let step = piece.ways[j] * piece.size(j, place.s);
-            for (k, tangent) in self.tangents.iter().enumerate() {
+            for (k, tangent) in self.frame.tangents.iter().enumerate() {
                 m[k][at + j] = sign * tangent.dot(step);
-                m[at + j][k] = -sign * tangent.dot(piece.ways[j]) * units.shares[j];
+                m[at + j][k] = -sign * tangent.dot(piece.ways[j]) * shares[j];
             }
             if kind.is_round() {
                 m[at + j][at + j] = -place.pull;
@@ -133,15 +143,15 @@ impl System {
         }
         if kind.has_axis() {
             let step = piece.by_share(place);
-            for (k, tangent) in self.tangents.iter().enumerate() {
+            for (k, tangent) in self.frame.tangents.iter().enumerate() {
                 m[k][share] = sign * tangent.dot(step);
                 m[share][k] = -sign * tangent.dot(step) * units.axis;
             }
         }
         if kind == PieceKind::Own {
             let [x, y, z] = piece.ways;
-            for (row, tangent) in m.iter_mut().zip(&self.tangents) {
-                for (place, &t) in row.iter_mut().zip(&self.tangents) {
+            for (row, tangent) in m.iter_mut().zip(&self.frame.tangents) {
+                for (place, &t) in row.iter_mut().zip(&self.frame.tangents) {
                     *place -= tangent.dot(x * t.x + y * t.y + z * t.z);
                 }
             }
@@ -182,14 +192,48 @@ impl System {
             self.rank += 1;
         }
     }
+    /// Returns the changes of the unknowns that make up for residuals.
+    pub fn solve(&self, residuals: &[f64; MOST]) -> [f64; MOST] {
+        let factor = |i: usize, j: usize| self.matrix[self.rows[i]][self.columns[j]];
+        let mut sums = [0.0; MOST];
+        for i in 0..self.rank {
+            let all = residuals[self.rows[i]];
+            sums[i] = (0..i).fold(all, |sum, j| sum - sums[j] * factor(i, j));
+        }
+        let mut changes = [0.0; MOST];
+        for i in (0..self.rank).rev() {
+            let later = i + 1..self.rank;
+            let sum = later.fold(sums[i], |sum, j| {
+                sum - changes[self.columns[j]] * factor(i, j)
+            });
+            let pivot = self.matrix[self.rows[i]][self.columns[i]];
+            changes[self.columns[i]] = sum * (1.0 / pivot);
+        }
+        changes
+    }
+    /// Returns the inverse of the matrix: the changes by each residual. Rows and columns of equations that are left out
+    /// are zero.
+    pub fn inverse(&self) -> [[f64; MOST]; MOST] {
+        let mut inverse = [[0.0; MOST]; MOST];
+        for k in 0..self.count {
+            let mut residuals = [0.0; MOST];
+            residuals[k] = 1.0;
+            for (row, change) in inverse.iter_mut().zip(self.solve(&residuals)) {
+                row[k] = change;
+            }
+        }
+        inverse
+    }
+}
+
+impl<S: Scalar> Frame<S> {
     /// Returns by how much a touch misses the equations.
-    pub fn residuals<S: Scalar>(&self, pieces: [&Piece<S>; 2], touch: &Touch<S>) -> [S; MOST] {
+    pub fn residuals(&self, pieces: [&Piece<S>; 2], touch: &Touch<S>) -> [S; MOST] {
         let mut out = [S::zero(); MOST];
         let way = pieces[1].at(&touch.b) - pieces[0].at(&touch.a);
         let gap = touch.normal.dot(way);
         for (out, &tangent) in out.iter_mut().zip(&self.tangents) {
             // The vector across the normal, seen along constant directions.
-            let tangent = lit::<S>(tangent);
             *out = tangent.dot(way) - tangent.dot(touch.normal) * gap;
         }
         let mut at = 2;
@@ -197,8 +241,11 @@ impl System {
         for ((piece, (place, normal)), units) in pieces.into_iter().zip(sides).zip(&self.units) {
             for j in 0..piece.kind.ways() {
                 let along = normal.dot(piece.ways[j]);
-                let along = match units.over > 0.0 {
-                    true => along * piece.sizes[j] * S::lit(units.over),
+                let along = match piece.kind == PieceKind::Ball {
+                    true => {
+                        let any = units.over.above(S::zero());
+                        S::select(any, along * piece.sizes[j] * units.over, along)
+                    }
                     false => along,
                 };
                 out[at] = match piece.kind.is_round() {
@@ -214,41 +261,17 @@ impl System {
                 at += 1;
             }
             if piece.kind.has_axis() {
-                out[at] = normal.dot(piece.by_share(place)) * S::lit(units.axis);
+                out[at] = normal.dot(piece.by_share(place)) * units.axis;
                 at += 1;
             }
         }
         out
     }
-    /// Returns the changes of the unknowns that make up for residuals.
-    pub fn solve<S: Scalar>(&self, residuals: &[S; MOST]) -> [S; MOST] {
-        let factor = |i: usize, j: usize| S::lit(self.matrix[self.rows[i]][self.columns[j]]);
-        let mut sums = [S::zero(); MOST];
-        for i in 0..self.rank {
-            let all = residuals[self.rows[i]];
-            sums[i] = (0..i).fold(all, |sum, j| sum - sums[j] * factor(i, j));
-        }
-        let mut changes = [S::zero(); MOST];
-        for i in (0..self.rank).rev() {
-            let later = i + 1..self.rank;
-            let sum = later.fold(sums[i], |sum, j| {
-                sum - changes[self.columns[j]] * factor(i, j)
-            });
-            let pivot = self.matrix[self.rows[i]][self.columns[i]];
-            changes[self.columns[i]] = sum * S::lit(1.0 / pivot);
-        }
-        changes
-    }
     /// Returns a touch less some changes; coordinates of length one keep it.
-    pub fn moved<S: Scalar>(
-        &self,
-        kinds: [PieceKind; 2],
-        touch: &Touch<S>,
-        changes: &[S; MOST],
-    ) -> Touch<S> {
+    pub fn moved(&self, kinds: [PieceKind; 2], touch: &Touch<S>, changes: &[S; MOST]) -> Touch<S> {
         let mut next = *touch;
         for (&tangent, &change) in self.tangents.iter().zip(changes) {
-            next.normal -= lit::<S>(tangent) * change;
+            next.normal -= tangent * change;
         }
         next.normal = next.normal.normalize_or_zero();
         let mut at = 2;

@@ -1,0 +1,212 @@
+//! Distances of curved shapes of space as operations, with a search that hands hints to the replay.
+use crate::distance3::curved::{CurvedRecord, HINTS, curved_replay, curved_search};
+use crate::distance3::{Apart, Contact3, PointPair3};
+use crate::kernels::verbs::{ClosestPoints, Distance, Penetration, SignedDistance};
+use crate::{
+    Aabb3, Capsule3, Cone, Cylinder, Disc, Ellipsoid, Obb3, RoundBox3, Segment3, Sphere, Tetrahedron, Triangle3, Vec3,
+    YawBox3,
+};
+
+/// Writes operations of two shapes of which at least one is curved, and joins them to their verbs.
+///
+/// A head says the verb, the result, the method of the shapes' relation that gives it, the class of invariance and the
+/// jumps; a line the name of the row and the shapes.
+macro_rules! curved_rows {
+    ($(
+        $(#[doc = $title:literal])+
+        $Verb:ident -> $out:ty, replay $replay:ident $class:tt $(range $range:ident)? $(lower $lower:ident)? jumps $jumps:ident
+        { $($name:literal: $A:ident, $B:ident;)* }
+    )*) => {
+        $( curved_rows! {
+            @rows [concat!($($title),+)] $Verb, $out, $replay, $class, ($(range $range)? $(lower $lower)? jumps $jumps);
+            $($name: $A, $B;)*
+        } )*
+        crate::kernels::ops::tables::listed! {
+            names [$([$(
+                crate::kernels::ops::tables::line!(names [] search $Verb, $name, [$A $B] ($A<f64>, $B<f64>))
+            ),*]),*]
+            each |walk| { $($(
+                crate::kernels::ops::tables::line!(each [walk] search $Verb, $name, [$A $B] ($A<f64>, $B<f64>));
+            )*)* }
+        }
+    };
+    (
+        @rows [$title:expr] $Verb:ident, $out:ty, $replay:ident, $class:tt, $clauses:tt;
+        $($name:literal: $A:ident, $B:ident;)*
+    ) => { $( const _: () = {
+        // As visible as the verb.
+        #[derive(Clone, Copy, Debug, Default)]
+        pub struct Item;
+
+        impl crate::kernels::row::op::Declares for Item {
+            const DECLARED: crate::kernels::row::op::Declared = crate::__declared!(
+                crate::kernels::row::op::Declared::new(
+                    $name,
+                    crate::kernels::ops::class::invariances!($class $A<f64>, $B<f64>),
+                    crate::kernels::row::op::Jumps::Never,
+                )
+                .arguments(&crate::kernels::ops::tables::arguments!((a, b) $A $B))
+                .doc(crate::kernels::ops::tables::text!($title, "", $A<f64>, $B<f64>)),
+                ($A<f64>, $B<f64>), (a, b), $clauses
+            );
+        }
+
+        impl crate::kernels::call::search::HintedSearch for Item {
+            type In<S: crate::Scalar> = ($A<S>, $B<S>);
+            type Out<S: crate::Scalar> = $out;
+            type Record = CurvedRecord;
+            type Hints<S: crate::Scalar> = [S; HINTS];
+            fn decide_with_hints<S: crate::Scalar<Mask = bool>>(
+                (a, b): Self::In<S>,
+            ) -> (CurvedRecord, [S; HINTS]) {
+                curved_search(&a, &b)
+            }
+            fn replay_with_hints<S: crate::Scalar>(
+                (a, b): Self::In<S>,
+                record: CurvedRecord,
+                hints: [S; HINTS],
+            ) -> $out {
+                curved_replay(&a, &b, record, &hints).$replay()
+            }
+        }
+
+        impl<S: crate::Scalar<Mask = bool>> crate::kernels::verbs::Binary<$A<S>, $B<S>> for $Verb {
+            type Out = $out;
+            type By = crate::kernels::call::search::Searched<Item>;
+            const BY: Self::By = crate::kernels::call::search::search(Item);
+            #[inline]
+            fn apply(a: $A<S>, b: $B<S>) -> $out {
+                a.guarded_with(&b).result(a.relation(b).$replay())
+            }
+        }
+    }; )* };
+}
+
+curved_rows! {
+    /// The [distance](crate::distance3::distance()) of {}, 0 where they meet.
+    Distance -> S, replay distance [rigid(1), symmetric] range NOT_NEGATIVE lower Distance jumps Never {
+        "distance_segment_cylinder": Segment3, Cylinder;
+        "distance_capsule_cylinder": Capsule3, Cylinder;
+        "distance_triangle_cylinder": Triangle3, Cylinder;
+        "distance_tetrahedron_cylinder": Tetrahedron, Cylinder;
+        "distance_aabb3_cylinder": Aabb3, Cylinder;
+        "distance_yaw_cylinder": YawBox3, Cylinder;
+        "distance_obb3_cylinder": Obb3, Cylinder;
+        "distance_round_box_cylinder": RoundBox3, Cylinder;
+        "distance_segment_cone": Segment3, Cone;
+        "distance_capsule_cone": Capsule3, Cone;
+        "distance_triangle_cone": Triangle3, Cone;
+        "distance_tetrahedron_cone": Tetrahedron, Cone;
+        "distance_aabb3_cone": Aabb3, Cone;
+        "distance_yaw_cone": YawBox3, Cone;
+        "distance_obb3_cone": Obb3, Cone;
+        "distance_round_box_cone": RoundBox3, Cone;
+        "distance_point_ellipsoid": Vec3, Ellipsoid;
+        "distance_sphere_ellipsoid": Sphere, Ellipsoid;
+        "distance_segment_ellipsoid": Segment3, Ellipsoid;
+        "distance_capsule_ellipsoid": Capsule3, Ellipsoid;
+        "distance_triangle_ellipsoid": Triangle3, Ellipsoid;
+        "distance_tetrahedron_ellipsoid": Tetrahedron, Ellipsoid;
+        "distance_aabb3_ellipsoid": Aabb3, Ellipsoid;
+        "distance_yaw_ellipsoid": YawBox3, Ellipsoid;
+        "distance_obb3_ellipsoid": Obb3, Ellipsoid;
+        "distance_round_box_ellipsoid": RoundBox3, Ellipsoid;
+        "distance_point_disc": Vec3, Disc;
+        "distance_sphere_disc": Sphere, Disc;
+        "distance_segment_disc": Segment3, Disc;
+        "distance_capsule_disc": Capsule3, Disc;
+        "distance_triangle_disc": Triangle3, Disc;
+        "distance_tetrahedron_disc": Tetrahedron, Disc;
+        "distance_aabb3_disc": Aabb3, Disc;
+        "distance_yaw_disc": YawBox3, Disc;
+        "distance_obb3_disc": Obb3, Disc;
+        "distance_round_box_disc": RoundBox3, Disc;
+        "distance_cylinders": Cylinder, Cylinder;
+        "distance_cylinder_cone": Cylinder, Cone;
+        "distance_cones": Cone, Cone;
+        "distance_cylinder_ellipsoid": Cylinder, Ellipsoid;
+        "distance_cone_ellipsoid": Cone, Ellipsoid;
+        "distance_ellipsoids": Ellipsoid, Ellipsoid;
+        "distance_cylinder_disc": Cylinder, Disc;
+        "distance_cone_disc": Cone, Disc;
+        "distance_ellipsoid_disc": Ellipsoid, Disc;
+        "distance_discs": Disc, Disc;
+    }
+    /// The [signed distance](crate::distance3::signed_distance) of {}: less than 0 where they overlap, by the least
+    /// move that parts them.
+    SignedDistance -> S, replay signed_distance [rigid(1), symmetric] lower Distance jumps Never {
+        "signed_distance_segment_cylinder": Segment3, Cylinder;
+        "signed_distance_capsule_cylinder": Capsule3, Cylinder;
+        "signed_distance_triangle_cylinder": Triangle3, Cylinder;
+        "signed_distance_tetrahedron_cylinder": Tetrahedron, Cylinder;
+        "signed_distance_aabb3_cylinder": Aabb3, Cylinder;
+        "signed_distance_yaw_cylinder": YawBox3, Cylinder;
+        "signed_distance_obb3_cylinder": Obb3, Cylinder;
+        "signed_distance_round_box_cylinder": RoundBox3, Cylinder;
+        "signed_distance_segment_cone": Segment3, Cone;
+        "signed_distance_capsule_cone": Capsule3, Cone;
+        "signed_distance_triangle_cone": Triangle3, Cone;
+        "signed_distance_tetrahedron_cone": Tetrahedron, Cone;
+        "signed_distance_aabb3_cone": Aabb3, Cone;
+        "signed_distance_yaw_cone": YawBox3, Cone;
+        "signed_distance_obb3_cone": Obb3, Cone;
+        "signed_distance_round_box_cone": RoundBox3, Cone;
+        "signed_distance_point_ellipsoid": Vec3, Ellipsoid;
+        "signed_distance_sphere_ellipsoid": Sphere, Ellipsoid;
+        "signed_distance_segment_ellipsoid": Segment3, Ellipsoid;
+        "signed_distance_capsule_ellipsoid": Capsule3, Ellipsoid;
+        "signed_distance_triangle_ellipsoid": Triangle3, Ellipsoid;
+        "signed_distance_tetrahedron_ellipsoid": Tetrahedron, Ellipsoid;
+        "signed_distance_aabb3_ellipsoid": Aabb3, Ellipsoid;
+        "signed_distance_yaw_ellipsoid": YawBox3, Ellipsoid;
+        "signed_distance_obb3_ellipsoid": Obb3, Ellipsoid;
+        "signed_distance_round_box_ellipsoid": RoundBox3, Ellipsoid;
+        "signed_distance_sphere_disc": Sphere, Disc;
+        "signed_distance_segment_disc": Segment3, Disc;
+        "signed_distance_capsule_disc": Capsule3, Disc;
+        "signed_distance_triangle_disc": Triangle3, Disc;
+        "signed_distance_tetrahedron_disc": Tetrahedron, Disc;
+        "signed_distance_aabb3_disc": Aabb3, Disc;
+        "signed_distance_yaw_disc": YawBox3, Disc;
+        "signed_distance_obb3_disc": Obb3, Disc;
+        "signed_distance_round_box_disc": RoundBox3, Disc;
+        "signed_distance_cylinders": Cylinder, Cylinder;
+        "signed_distance_cylinder_cone": Cylinder, Cone;
+        "signed_distance_cones": Cone, Cone;
+        "signed_distance_cylinder_ellipsoid": Cylinder, Ellipsoid;
+        "signed_distance_cone_ellipsoid": Cone, Ellipsoid;
+        "signed_distance_ellipsoids": Ellipsoid, Ellipsoid;
+        "signed_distance_cylinder_disc": Cylinder, Disc;
+        "signed_distance_cone_disc": Cone, Disc;
+        "signed_distance_ellipsoid_disc": Ellipsoid, Disc;
+        "signed_distance_discs": Disc, Disc;
+    }
+    /// The [nearest points](crate::distance3::closest_points) of {}. Points jump to another nearest feature.
+    ClosestPoints -> PointPair3<S>, replay closest_points [follows] jumps Anywhere {
+        "closest_points_capsule_cylinder": Capsule3, Cylinder;
+        "closest_points_obb3_cylinder": Obb3, Cylinder;
+        "closest_points_obb3_cone": Obb3, Cone;
+        "closest_points_point_ellipsoid": Vec3, Ellipsoid;
+        "closest_points_sphere_ellipsoid": Sphere, Ellipsoid;
+        "closest_points_capsule_ellipsoid": Capsule3, Ellipsoid;
+        "closest_points_obb3_ellipsoid": Obb3, Ellipsoid;
+        "closest_points_obb3_disc": Obb3, Disc;
+        "closest_points_cylinders": Cylinder, Cylinder;
+        "closest_points_cylinder_ellipsoid": Cylinder, Ellipsoid;
+        "closest_points_ellipsoids": Ellipsoid, Ellipsoid;
+    }
+    /// The [depth of overlap and its direction](crate::distance3::penetration) of {}. The direction jumps to another
+    /// deepest face.
+    Penetration -> Contact3<S>, replay penetration [shifts] jumps Anywhere {
+        "penetration_capsule_cylinder": Capsule3, Cylinder;
+        "penetration_obb3_cylinder": Obb3, Cylinder;
+        "penetration_obb3_cone": Obb3, Cone;
+        "penetration_sphere_ellipsoid": Sphere, Ellipsoid;
+        "penetration_capsule_ellipsoid": Capsule3, Ellipsoid;
+        "penetration_obb3_ellipsoid": Obb3, Ellipsoid;
+        "penetration_obb3_disc": Obb3, Disc;
+        "penetration_cylinders": Cylinder, Cylinder;
+        "penetration_cylinder_ellipsoid": Cylinder, Ellipsoid;
+        "penetration_ellipsoids": Ellipsoid, Ellipsoid;
+    }
+}
