@@ -4,6 +4,7 @@
 //! are snapped to each other now and then, so that ties, touching sides and near ties occur by themselves. Whole inputs
 //! are moved far away and scaled, because digits are lost there.
 mod clouds;
+mod curved_solids;
 #[cfg_attr(
     not(feature = "check"),
     expect(dead_code, reason = "only the harness asks for all of it")

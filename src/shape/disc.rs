@@ -15,7 +15,7 @@ use std::ops::Mul;
 /// assert_eq!(coin.bounding().min, Vec3::new(-3.0, -3.0, 1.0));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
-#[shape(bounding)]
+#[shape(bounding, except(Sample))]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Disc<S> {

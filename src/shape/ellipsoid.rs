@@ -15,7 +15,7 @@ use std::ops::Mul;
 /// assert!(!egg.contains(Vec3::new(2.9, 0.0, 1.5)));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
-#[shape(bounding)]
+#[shape(bounding, except(Sample))]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Ellipsoid<S> {
