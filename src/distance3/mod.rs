@@ -51,10 +51,10 @@
 //! | upright box, two | | | | | | | D Q S C P F | |
 //! | round box | | | | | | | | d q S c p f |
 //! | half-space | d q S c p - | d q S c p - | d q S c p - | d q S c P - | d q S c p - | d q S c p - | d q S c P - | d q S c p - |
-//! | cylinder | D q S c p f | d q S c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f |
-//! | cone | D q S c p f | d q S c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f |
-//! | ellipsoid | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f |
-//! | disc | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f |
+//! | cylinder | D q S c p f | d q S c p f | D q S c p f | D q S C P f | D q S c p f | D q S c p f | D q S C P f | D q S c p f |
+//! | cone | D q S c p f | d q S c p f | D q S c p f | D q S c p f | D q S c p f | D q S c p f | D q S C P f | D q S c p f |
+//! | ellipsoid | D q S C p f | D q S C P f | D q S c p f | D q S C P f | D q S c p f | D q S c p f | D q S C P f | D q S c p f |
+//! | disc | D q s c p f | D q S c p f | D q S c p f | D q S c p f | D q S c p f | D q S c p f | D q S C P f | D q S c p f |
 //! | own shape | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f |
 //! | hull | D q S C p f | D q S C P f | D q s c p f | D q S C P f | D q S c p f | D q S c p f | D q S C P f | D q S c P f |
 //!
