@@ -3,7 +3,7 @@
 //! Points of the bodies bound their distance from above, a plane between them bounds it from below. A body has only its
 //! extent along a direction, so that no formula under test is used. `compare/proof` compares a value with the bounds.
 pub use super::convex_body::Body;
-use super::planes::{best, curved};
+use super::separating::{best, curved};
 use crate::Vec3;
 
 /// The measure that a proof is about.

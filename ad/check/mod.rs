@@ -225,12 +225,13 @@ pub mod noise;
 mod notes;
 mod of_program;
 pub mod picture;
-mod planes;
+
 pub mod report;
 pub mod roughness;
 mod rounding;
 mod sampling;
 mod second_order;
+mod separating;
 mod shrink;
 pub mod subject;
 pub mod symmetry;

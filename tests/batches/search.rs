@@ -1,6 +1,6 @@
 //! Searches over shapes with codes (polygons, which count their vertices), all pairs.
 use geograd::kernels::op::{Declared, Declares, Jumps};
-use geograd::kernels::search::{Search, search};
+use geograd::kernels::search::{HintedSearch, Search, search};
 use geograd::kernels::{Cpu, Iou, MinimumCircle, MinimumRectangle, One, Width};
 use geograd::{ConvexPolygon, Fixed, Pack, Scalar, Vec2};
 use geograd_tests::Dice;
@@ -55,6 +55,84 @@ fn an_item_is_decided_once() {
         .unwrap();
     assert_eq!(along, (vec![2.0], vec![7.0]));
     assert_eq!(DECISIONS.swap(0, Ordering::Relaxed), 1);
+}
+
+/// The cube root of a positive number, from a hint.
+#[derive(Clone, Copy, Debug, Default)]
+struct CubeRoot;
+
+impl Declares for CubeRoot {
+    const DECLARED: Declared = Declared::new("cube_root", &[], Jumps::Never);
+}
+
+/// Newton's step to the cube root.
+fn step<S: Scalar>(x: S, root: S) -> S {
+    root - (root * root * root - x).over(S::lit(3.0) * root * root)
+}
+
+impl HintedSearch for CubeRoot {
+    type In<S: Scalar> = S;
+    type Out<S: Scalar> = [S; 2];
+    type Record = ();
+    type Hints<S: Scalar> = [S; 1];
+    fn decide_with_hints<S: Scalar<Mask = bool>>(x: S) -> ((), [S; 1]) {
+        (
+            (),
+            [(0..100).fold(x.most(S::one()), |root, _| step(x, root))],
+        )
+    }
+    /// The root, and its square. A second step makes second derivatives right.
+    fn replay_with_hints<S: Scalar>(x: S, (): (), [root]: [S; 1]) -> [S; 2] {
+        let root = step(x, step(x, root));
+        [root, root * root]
+    }
+}
+
+/// The cube root alone.
+#[derive(Clone, Copy, Debug, Default)]
+struct Root;
+
+impl Declares for Root {
+    const DECLARED: Declared = Declared::new("root", &[], Jumps::Never);
+}
+
+impl HintedSearch for Root {
+    type In<S: Scalar> = S;
+    type Out<S: Scalar> = S;
+    type Record = ();
+    type Hints<S: Scalar> = [S; 1];
+    fn decide_with_hints<S: Scalar<Mask = bool>>(x: S) -> ((), [S; 1]) {
+        CubeRoot::decide_with_hints(x)
+    }
+    fn replay_with_hints<S: Scalar>(x: S, (): (), hints: [S; 1]) -> S {
+        CubeRoot::replay_with_hints(x, (), hints)[0]
+    }
+}
+
+#[test]
+fn hints_are_constants_of_every_derivative() {
+    let close = |found: f64, expected: f64| {
+        assert!((found - expected).abs() < 1e-14, "{found} {expected}");
+    };
+    let (cpu, x) = (Cpu::new(), [8.0, 27.0]);
+    let (roots, by) = cpu.aligned(search(CubeRoot).jacobian(), &x).unwrap();
+    assert_eq!(roots, [[2.0, 4.0], [3.0, 9.0]]);
+    close(by[0].x[0], 1.0 / 12.0);
+    close(by[1].x[1], 2.0 / 9.0);
+    let bars = cpu
+        .aligned(search(CubeRoot).vjp(), (&x, &[[1.0, 0.0], [0.0, 3.0]]))
+        .unwrap();
+    close(bars[0], 1.0 / 12.0);
+    close(bars[1], 2.0 / 3.0);
+    let root = search(Root);
+    let (roots, along) = cpu.aligned(root.jvp(), (&x, &[12.0, 27.0])).unwrap();
+    assert_eq!(roots, [2.0, 3.0]);
+    close(along[0], 1.0);
+    close(along[1], 1.0);
+    // The second derivative is −2/9 x^(−5/3).
+    let bends = cpu.aligned(root.hvp(), (&x, &[1.0, 2.0])).unwrap();
+    close(bends[0], -2.0 / 9.0 / 32.0);
+    close(bends[1], -4.0 / 9.0 / 243.0);
 }
 
 /// Regular polygons of three to five corners.

@@ -29,7 +29,7 @@ pub fn replay<S: Scalar>(
     hints: &Hints<S>,
     side: f64,
 ) -> Relation<S> {
-    let Some([i, j]) = record.pieces.map(|both| both.map(usize::from)) else {
+    let Some([i, j]) = record.pieces.map(|both| both.map(|piece| piece as usize)) else {
         let (zero, none) = (S::zero(), Vec3::zero());
         return Relation {
             apart: zero,

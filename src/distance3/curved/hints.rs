@@ -12,7 +12,7 @@ pub const HINTS: usize = 23 + MOST * MOST;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct CurvedRecord {
     /// The numbers of the pieces; none for solids that are not finite.
-    pub pieces: Option<[u8; 2]>,
+    pub pieces: Option<[u32; 2]>,
     /// `true` if both places are on their pieces, which are stationary there.
     pub settled: bool,
 }
@@ -136,7 +136,7 @@ pub fn of<S: Scalar>(
     by_x: [S; 2],
 ) -> (CurvedRecord, Hints<S>) {
     let record = CurvedRecord {
-        pieces: Some(found.pieces.map(|piece| piece as u8)),
+        pieces: Some(found.pieces.map(|piece| piece as u32)),
         settled: found.settled,
     };
     let Frame { tangents, units } = &system.frame;

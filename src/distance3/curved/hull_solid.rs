@@ -258,7 +258,7 @@ impl<S: Scalar<Mask = bool>, const N: usize> Curved for Hull3<S, N> {
     fn anchor_point(&self) -> Vec3<S> {
         self.vertices[0]
     }
-    fn in_units(&self, from: Vec3<S>, scale: S) -> HullInUnits<S, N> {
+    fn in_units(&self, from: Vec3<S>, scale: S, _: S) -> HullInUnits<S, N> {
         let corners = self.corners_from(from);
         let count = corners.count();
         // Behind the last vertex the first is repeated.

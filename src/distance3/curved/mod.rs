@@ -277,8 +277,8 @@ fn noted<P: Scalar>(record: CurvedRecord) {
         let _ = side.below(-side);
     };
     bit(record.settled);
-    for byte in record.pieces.into_iter().flatten() {
-        (0..8).for_each(|k| bit(byte >> k & 1 == 1));
+    for piece in record.pieces.into_iter().flatten() {
+        (0..32).for_each(|k| bit(piece >> k & 1 == 1));
     }
 }
 
