@@ -124,7 +124,7 @@ fn constant<S: Scalar>(place: &Place<f64>) -> Place<S> {
 
 /// Returns a number as a constant whose square is finite in the format.
 fn bounded<S: Scalar>(x: f64) -> S {
-    let most = S::LARGEST.sqrt();
+    let most = S::format().largest().sqrt();
     S::lit(x.clamp(-most, most))
 }
 
