@@ -994,6 +994,74 @@ class Detectron2Box(Shape):
     @property
     def heading(self) -> Any: ...
 
+class Disc(Shape):
+    """A flat disc: the centre, a vector of any length orthogonal to it, and the radius.
+
+    An array whose last axis has its numbers, in this order:
+
+        x: coordinate
+        y: coordinate
+        z: coordinate
+        nx: part of a direction, not all parts 0
+        ny: part of a direction, not all parts 0
+        nz: part of a direction, not all parts 0
+        radius: length, at least 0
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def x(self) -> Any: ...
+    @property
+    def y(self) -> Any: ...
+    @property
+    def z(self) -> Any: ...
+    @property
+    def nx(self) -> Any: ...
+    @property
+    def ny(self) -> Any: ...
+    @property
+    def nz(self) -> Any: ...
+    @property
+    def radius(self) -> Any: ...
+
+class Ellipsoid(Shape):
+    """An ellipsoid: the centre, half of the extents along its own axes, and the rotation of these as a
+    quaternion (w, x, y, z) of any length.
+
+    An array whose last axis has its numbers, in this order:
+
+        x: coordinate
+        y: coordinate
+        z: coordinate
+        a: length, at least 0
+        b: length, at least 0
+        c: length, at least 0
+        qw: part of a quaternion, not all parts 0
+        qx: part of a quaternion, not all parts 0
+        qy: part of a quaternion, not all parts 0
+        qz: part of a quaternion, not all parts 0
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def x(self) -> Any: ...
+    @property
+    def y(self) -> Any: ...
+    @property
+    def z(self) -> Any: ...
+    @property
+    def a(self) -> Any: ...
+    @property
+    def b(self) -> Any: ...
+    @property
+    def c(self) -> Any: ...
+    @property
+    def qw(self) -> Any: ...
+    @property
+    def qx(self) -> Any: ...
+    @property
+    def qy(self) -> Any: ...
+    @property
+    def qz(self) -> Any: ...
+
 class Exponent(Shape):
     """The power of alpha_iou, above 0.
 
@@ -1992,7 +2060,7 @@ class _area(Verb):
         area(shape: Triangle3) -> number
             The area of a triangle of space.
         area(paths: ring) -> number
-            The area of a ring, whichever way it turns: the magnitude of its signed area.
+            The area of a ring, whichever way it turns: the magnitude of its signed area, as often as it winds around each region. Derivative zero at area zero.
         area(polygons: Polygons) -> number
             The area of polygons: holes do not count.
     """
@@ -2222,6 +2290,8 @@ class _closest_points(Verb):
             The nearest points of a capsule of space and a box of any orientation. Points jump to another nearest feature.
         closest_points(circle: Circle, shape: Obb2) -> PointPair
             The nearest points of a circle and a rotated box. Points jump to another nearest feature.
+        closest_points(a: Ellipsoid, b: Ellipsoid) -> PointPair3
+            The nearest points of two ellipsoids. Points jump to another nearest feature.
         closest_points(a: Hull3_8, b: Hull3_8) -> PointPair3
             The nearest points of two convex hulls. Hulls have up to N vertices. Points jump to another nearest feature.
         closest_points(a: Line3, b: Line3) -> PointPair3
@@ -2230,6 +2300,8 @@ class _closest_points(Verb):
             The nearest points of a rotated box and a circle. Points jump to another nearest feature.
         closest_points(a: Obb2, b: Obb2) -> PointPair
             The nearest points of two rotated boxes. Points jump to another nearest feature.
+        closest_points(shape: Obb3, ellipsoid: Ellipsoid) -> PointPair3
+            The nearest points of a box of any orientation and an ellipsoid. Points jump to another nearest feature.
         closest_points(shape: Obb3, hull: Hull3_8) -> PointPair3
             The nearest points of a box of any orientation and a convex hull. Hulls have up to N vertices. Points jump to another nearest feature.
         closest_points(a: Obb3, b: Obb3) -> PointPair3
@@ -2276,6 +2348,8 @@ class _closest_points(Verb):
     @overload
     def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
     @overload
+    def __call__(self, a: Ellipsoid, b: Ellipsoid, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
+    @overload
     def __call__(self, a: Hull3_8, b: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
     def __call__(self, a: Line3, b: Line3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
@@ -2283,6 +2357,8 @@ class _closest_points(Verb):
     def __call__(self, shape: Obb2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
+    def __call__(self, shape: Obb3, ellipsoid: Ellipsoid, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
     def __call__(self, shape: Obb3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
@@ -2599,6 +2675,8 @@ class _distance(Verb):
             The distance of a capsule and a point.
         distance(a: Capsule3, b: Capsule3) -> number
             The distance of two capsules of space.
+        distance(capsule: Capsule3, cone: Cone) -> number
+            The distance of a capsule of space and a cone, 0 where they meet.
         distance(capsule: Capsule3, hull: Hull3_8) -> number
             The distance of a capsule of space and a convex hull, 0 where they meet. Hulls have up to N vertices.
         distance(capsule: Capsule3, line: Line3) -> number
@@ -2617,6 +2695,8 @@ class _distance(Verb):
             The distance of a circle and a point.
         distance(a: ConvexPolygon5, b: ConvexPolygon5) -> number
             The distance of two convex polygons of up to N vertices, 0 where they meet.
+        distance(a: Ellipsoid, b: Ellipsoid) -> number
+            The distance of two ellipsoids, 0 where they meet.
         distance(a: Hull3_8, b: Hull3_8) -> number
             The distance of two convex hulls, 0 where they meet. Hulls have up to N vertices.
         distance(a: Interval, b: Interval) -> number
@@ -2741,6 +2821,8 @@ class _distance(Verb):
             The distance of a point and a cone.
         distance(point: Vec3, cylinder: Cylinder) -> number
             The distance of a point and a cylinder.
+        distance(point: Vec3, disc: Disc) -> number
+            The distance of a point and a disc, 0 where they meet.
         distance(point: Vec3, hull: Hull3_8) -> number
             The distance of a point and a convex hull, 0 where they meet. Hulls have up to N vertices.
         distance(point: Vec3, line: Line3) -> number
@@ -2791,6 +2873,8 @@ class _distance(Verb):
     @overload
     def __call__(self, a: Capsule3, b: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, capsule: Capsule3, cone: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, capsule: Capsule3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, capsule: Capsule3, line: Line3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -2808,6 +2892,8 @@ class _distance(Verb):
     def __call__(self, circle: Circle, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Ellipsoid, b: Ellipsoid, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Hull3_8, b: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -2932,6 +3018,8 @@ class _distance(Verb):
     def __call__(self, point: Vec3, cone: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec3, cylinder: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, disc: Disc, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -3433,8 +3521,14 @@ class _intersection_area(Verb):
             Area that two axis-aligned boxes share.
         intersection_area(a: ConvexPolygon5, b: ConvexPolygon5) -> number
             The area that two convex polygons of up to N vertices share.
+        intersection_area(hull: Hull3_8, plane: Plane3) -> number
+            The area in which a convex hull and a half-space's border cuts the first. Hulls have up to N vertices.
         intersection_area(a: Obb2, b: Obb2) -> number
             Area that two rotated boxes share.
+        intersection_area(shape: Obb3, plane: Plane3) -> number
+            The area in which a box of any orientation and a half-space's border cuts the first. Hulls have up to N vertices.
+        intersection_area(solid: Tetrahedron, plane: Plane3) -> number
+            The area in which a tetrahedron and a half-space's border cuts the first. Hulls have up to N vertices.
         intersection_area(a: Vec2x4, b: Vec2x4) -> number
             Area that two quadrilaterals share. Of either order, and convex.
         intersection_area(a: Polygons, b: Polygons) -> number
@@ -3445,7 +3539,13 @@ class _intersection_area(Verb):
     @overload
     def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, hull: Hull3_8, plane: Plane3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Obb3, plane: Plane3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, solid: Tetrahedron, plane: Plane3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Vec2x4, b: Vec2x4, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -3476,18 +3576,38 @@ class _intersection_volume(Verb):
     Rows:
         intersection_volume(a: Aabb3, b: Aabb3) -> number
             Volume that two axis-aligned boxes share.
+        intersection_volume(shape: Aabb3, hull: Hull3_8) -> number
+            The volume that an axis-aligned box and a convex hull share. Hulls have up to N vertices.
         intersection_volume(a: Aabb3, b: Obb3) -> number
             Volume that an axis-aligned box and a box of any orientation share.
         intersection_volume(a: Aabb3, b: YawBox3) -> number
             Volume that an axis-aligned box and an upright box share.
+        intersection_volume(a: Hull3_8, b: Hull3_8) -> number
+            The volume that two convex hulls share. Hulls have up to N vertices.
+        intersection_volume(hull: Hull3_8, plane: Plane3) -> number
+            The volume that a convex hull and a half-space share. Hulls have up to N vertices.
         intersection_volume(a: Obb3, b: Aabb3) -> number
             Volume that a box of any orientation and an axis-aligned box share.
+        intersection_volume(shape: Obb3, hull: Hull3_8) -> number
+            The volume that a box of any orientation and a convex hull share. Hulls have up to N vertices.
         intersection_volume(a: Obb3, b: Obb3) -> number
             Volume that two boxes of any orientation share.
+        intersection_volume(shape: Obb3, plane: Plane3) -> number
+            The volume that a box of any orientation and a half-space share. Hulls have up to N vertices.
         intersection_volume(a: Obb3, b: YawBox3) -> number
             Volume that a box of any orientation and an upright box share.
+        intersection_volume(solid: Tetrahedron, hull: Hull3_8) -> number
+            The volume that a tetrahedron and a convex hull share. Hulls have up to N vertices.
+        intersection_volume(solid: Tetrahedron, shape: Obb3) -> number
+            The volume that a tetrahedron and a box of any orientation share. Hulls have up to N vertices.
+        intersection_volume(solid: Tetrahedron, plane: Plane3) -> number
+            The volume that a tetrahedron and a half-space share. Hulls have up to N vertices.
+        intersection_volume(a: Tetrahedron, b: Tetrahedron) -> number
+            The volume that two tetrahedra share. Hulls have up to N vertices.
         intersection_volume(a: YawBox3, b: Aabb3) -> number
             Volume that an upright box and an axis-aligned box share.
+        intersection_volume(shape: YawBox3, hull: Hull3_8) -> number
+            The volume that an upright box and a convex hull share. Hulls have up to N vertices.
         intersection_volume(a: YawBox3, b: Obb3) -> number
             Volume that an upright box and a box of any orientation share.
         intersection_volume(a: YawBox3, b: YawBox3) -> number
@@ -3496,17 +3616,37 @@ class _intersection_volume(Verb):
     @overload
     def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, shape: Aabb3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Aabb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Aabb3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, a: Hull3_8, b: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, hull: Hull3_8, plane: Plane3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Obb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Obb3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, shape: Obb3, plane: Plane3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Obb3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, solid: Tetrahedron, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, solid: Tetrahedron, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, solid: Tetrahedron, plane: Plane3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Tetrahedron, b: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: YawBox3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: YawBox3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: YawBox3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -3554,14 +3694,26 @@ class _iof(Verb):
             The part of the first of an axis-aligned box and an upright box that lies in the second, 0 to 1.
         iof(a: ConvexPolygon5, b: ConvexPolygon5) -> number
             The share of the first of two convex polygons of up to N vertices that lies in the second.
+        iof(a: Hull3_8, b: Hull3_8) -> number
+            The part of the first of two convex hulls that lies in the second, 0 to 1. Hulls have up to N vertices.
+        iof(hull: Hull3_8, shape: Obb3) -> number
+            The part of the first of a convex hull and a box of any orientation that lies in the second, 0 to 1. Hulls have up to N vertices.
+        iof(hull: Hull3_8, plane: Plane3) -> number
+            The part of the first of a convex hull and a half-space that lies in the second, 0 to 1. Hulls have up to N vertices.
         iof(a: Obb2, b: Obb2) -> number
             The part of the first of two rotated boxes that lies in the second, 0 to 1.
         iof(a: Obb3, b: Aabb3) -> number
             The part of the first of a box of any orientation and an axis-aligned box that lies in the second, 0 to 1.
+        iof(shape: Obb3, hull: Hull3_8) -> number
+            The part of the first of a box of any orientation and a convex hull that lies in the second, 0 to 1. Hulls have up to N vertices.
         iof(a: Obb3, b: Obb3) -> number
             The part of the first of two boxes of any orientation that lies in the second, 0 to 1.
+        iof(shape: Obb3, plane: Plane3) -> number
+            The part of the first of a box of any orientation and a half-space that lies in the second, 0 to 1. Hulls have up to N vertices.
         iof(a: Obb3, b: YawBox3) -> number
             The part of the first of a box of any orientation and an upright box that lies in the second, 0 to 1.
+        iof(a: Tetrahedron, b: Tetrahedron) -> number
+            The part of the first of two tetrahedra that lies in the second, 0 to 1. Hulls have up to N vertices.
         iof(a: YawBox3, b: Aabb3) -> number
             The part of the first of an upright box and an axis-aligned box that lies in the second, 0 to 1.
         iof(a: YawBox3, b: Obb3) -> number
@@ -3582,13 +3734,25 @@ class _iof(Verb):
     @overload
     def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, a: Hull3_8, b: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, hull: Hull3_8, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, hull: Hull3_8, plane: Plane3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Obb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, shape: Obb3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, shape: Obb3, plane: Plane3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Obb3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Tetrahedron, b: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: YawBox3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -3617,16 +3781,24 @@ class _iou(Verb):
             Intersection over union of an axis-aligned box and an upright box, 0 to 1.
         iou(a: ConvexPolygon5, b: ConvexPolygon5) -> number
             The IoU of two convex polygons of up to N vertices.
+        iou(a: Hull3_8, b: Hull3_8) -> number
+            The intersection over union of two convex hulls, 0 to 1. Hulls have up to N vertices.
         iou(a: Interval, b: Interval) -> number
             Intersection over union of two intervals, 0 to 1.
         iou(a: Obb2, b: Obb2) -> number
             Intersection over union of two rotated boxes, 0 to 1.
         iou(a: Obb3, b: Aabb3) -> number
             Intersection over union of a box of any orientation and an axis-aligned box, 0 to 1.
+        iou(shape: Obb3, hull: Hull3_8) -> number
+            The intersection over union of a box of any orientation and a convex hull, 0 to 1. Hulls have up to N vertices.
         iou(a: Obb3, b: Obb3) -> number
             Intersection over union of two boxes of any orientation, 0 to 1.
         iou(a: Obb3, b: YawBox3) -> number
             Intersection over union of a box of any orientation and an upright box, 0 to 1.
+        iou(solid: Tetrahedron, shape: Obb3) -> number
+            The intersection over union of a tetrahedron and a box of any orientation, 0 to 1. Hulls have up to N vertices.
+        iou(a: Tetrahedron, b: Tetrahedron) -> number
+            The intersection over union of two tetrahedra, 0 to 1. Hulls have up to N vertices.
         iou(a: YawBox3, b: Aabb3) -> number
             Intersection over union of an upright box and an axis-aligned box, 0 to 1.
         iou(a: YawBox3, b: Obb3) -> number
@@ -3647,15 +3819,23 @@ class _iou(Verb):
     @overload
     def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, a: Hull3_8, b: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Interval, b: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Obb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, shape: Obb3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Obb3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, solid: Tetrahedron, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Tetrahedron, b: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: YawBox3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -3938,6 +4118,10 @@ class _move(Verb):
             A cone, moved by a pose.
         move(pose: Pose3, shape: Cylinder) -> Cylinder
             A cylinder, moved by a pose.
+        move(pose: Pose3, shape: Disc) -> Disc
+            A disc, moved by a pose.
+        move(pose: Pose3, shape: Ellipsoid) -> Ellipsoid
+            An ellipsoid, moved by a pose.
         move(pose: Pose3, shape: Line3) -> Line3
             A line of space, moved by a pose.
         move(pose: Pose3, shape: Obb3) -> Obb3
@@ -3989,6 +4173,10 @@ class _move(Verb):
     def __call__(self, pose: Pose3, shape: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Cone: ...
     @overload
     def __call__(self, pose: Pose3, shape: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Cylinder: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Disc, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Disc: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Ellipsoid, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Ellipsoid: ...
     @overload
     def __call__(self, pose: Pose3, shape: Line3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Line3: ...
     @overload
@@ -4055,10 +4243,14 @@ class _penetration(Verb):
             The depth of overlap and its direction of two circles. The direction jumps to another deepest face.
         penetration(circle: Circle, shape: Obb2) -> Contact
             The depth of overlap and its direction of a circle and a rotated box. The direction jumps to another deepest face.
+        penetration(a: Ellipsoid, b: Ellipsoid) -> Contact3
+            The depth of overlap and its direction of two ellipsoids. The direction jumps to another deepest face.
         penetration(a: Hull3_8, b: Hull3_8) -> Contact3
             The depth of overlap and its direction of two convex hulls. Hulls have up to N vertices. The direction jumps to another deepest face.
         penetration(a: Obb2, b: Obb2) -> Contact
             The depth of overlap and its direction of two rotated boxes. The direction jumps to another deepest face.
+        penetration(shape: Obb3, cylinder: Cylinder) -> Contact3
+            The depth of overlap and its direction of a box of any orientation and a cylinder. The direction jumps to another deepest face.
         penetration(shape: Obb3, hull: Hull3_8) -> Contact3
             The depth of overlap and its direction of a box of any orientation and a convex hull. Hulls have up to N vertices. The direction jumps to another deepest face.
         penetration(a: Obb3, b: Obb3) -> Contact3
@@ -4097,9 +4289,13 @@ class _penetration(Verb):
     @overload
     def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact: ...
     @overload
+    def __call__(self, a: Ellipsoid, b: Ellipsoid, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact3: ...
+    @overload
     def __call__(self, a: Hull3_8, b: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact3: ...
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact: ...
+    @overload
+    def __call__(self, shape: Obb3, cylinder: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact3: ...
     @overload
     def __call__(self, shape: Obb3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact3: ...
     @overload
@@ -4375,6 +4571,10 @@ class _signed_distance(Verb):
             The signed distance of a circle and a point.
         signed_distance(a: ConvexPolygon5, b: ConvexPolygon5) -> number
             The signed distance of two convex polygons of up to N vertices: less than 0 where they overlap, by the least move that parts them.
+        signed_distance(a: Cylinder, b: Cylinder) -> number
+            The signed distance of two cylinders: less than 0 where they overlap, by the least move that parts them.
+        signed_distance(a: Ellipsoid, b: Ellipsoid) -> number
+            The signed distance of two ellipsoids: less than 0 where they overlap, by the least move that parts them.
         signed_distance(a: Hull3_8, b: Hull3_8) -> number
             The signed distance of two convex hulls: less than 0 where they overlap, by the least move that parts them. Hulls have up to N vertices.
         signed_distance(a: Interval, b: Interval) -> number
@@ -4389,6 +4589,8 @@ class _signed_distance(Verb):
             The signed distance of a rotated box and a segment.
         signed_distance(shape: Obb2, point: Vec2) -> number
             The signed distance of a rotated box and a point.
+        signed_distance(shape: Obb3, cylinder: Cylinder) -> number
+            The signed distance of a box of any orientation and a cylinder: less than 0 where they overlap, by the least move that parts them.
         signed_distance(shape: Obb3, hull: Hull3_8) -> number
             The signed distance of a box of any orientation and a convex hull: less than 0 where they overlap, by the least move that parts them. Hulls have up to N vertices.
         signed_distance(a: Obb3, b: Obb3) -> number
@@ -4403,6 +4605,10 @@ class _signed_distance(Verb):
             The signed distance of a half-space and a cone.
         signed_distance(plane: Plane3, cylinder: Cylinder) -> number
             The signed distance of a half-space and a cylinder.
+        signed_distance(plane: Plane3, disc: Disc) -> number
+            The signed distance of a half-space and a disc.
+        signed_distance(plane: Plane3, ellipsoid: Ellipsoid) -> number
+            The signed distance of a half-space and an ellipsoid.
         signed_distance(plane: Plane3, hull: Hull3_8) -> number
             The signed distance of a half-space and a convex hull: less than 0 where they overlap, by the least move that parts them. Hulls have up to N vertices.
         signed_distance(plane: Plane3, shape: Obb3) -> number
@@ -4451,6 +4657,8 @@ class _signed_distance(Verb):
             The signed distance of a ball and a tetrahedron.
         signed_distance(ball: Sphere, triangle: Triangle3) -> number
             The signed distance of a ball and a triangle of space.
+        signed_distance(solid: Tetrahedron, disc: Disc) -> number
+            The signed distance of a tetrahedron and a disc: less than 0 where they overlap, by the least move that parts them.
         signed_distance(solid: Tetrahedron, hull: Hull3_8) -> number
             The signed distance of a tetrahedron and a convex hull: less than 0 where they overlap, by the least move that parts them. Hulls have up to N vertices.
         signed_distance(solid: Tetrahedron, shape: Obb3) -> number
@@ -4545,6 +4753,10 @@ class _signed_distance(Verb):
     @overload
     def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, a: Cylinder, b: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Ellipsoid, b: Ellipsoid, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Hull3_8, b: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Interval, b: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -4559,6 +4771,8 @@ class _signed_distance(Verb):
     @overload
     def __call__(self, shape: Obb2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, shape: Obb3, cylinder: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, shape: Obb3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -4572,6 +4786,10 @@ class _signed_distance(Verb):
     def __call__(self, plane: Plane3, cone: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, plane: Plane3, cylinder: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, plane: Plane3, disc: Disc, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, plane: Plane3, ellipsoid: Ellipsoid, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, plane: Plane3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -4620,6 +4838,8 @@ class _signed_distance(Verb):
     def __call__(self, ball: Sphere, solid: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, ball: Sphere, triangle: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, solid: Tetrahedron, disc: Disc, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, solid: Tetrahedron, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -4937,6 +5157,8 @@ class _volume(Verb):
             The volume of a cone.
         volume(shape: Cylinder) -> number
             The volume of a cylinder.
+        volume(shape: Ellipsoid) -> number
+            The volume of an ellipsoid.
         volume(shape: Obb3) -> number
             The volume of a box of any orientation.
         volume(shape: RoundBox3) -> number
@@ -4956,6 +5178,8 @@ class _volume(Verb):
     def __call__(self, shape: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, shape: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Ellipsoid, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
