@@ -37,7 +37,8 @@
 //! Batches of a verb take the pairs that have a row (the table of [`verbs`](crate::kernels::verbs)), any other pair of
 //! this table by [`function`](crate::kernels::verbs::function). D stands for
 //! [`Distance`](crate::kernels::verbs::Distance), Q for `SquaredDistance`, S for `SignedDistance`, C for `ClosestPoints`, P for `Penetration`, F for `FarthestDistance`.
-//! A letter is a row, a small one a method without a row, `-` what there is not.
+//! A capital is a row of the list by name, a small letter a method without one, `-` what there is not. Cylinders, cones,
+//! ellipsoids and discs have rows of D and S with each other and with all that end but hulls, of which the list has some.
 //!
 //! | | point | ball | segment | capsule | triangle | tetrahedron | box | round box |
 //! | --- | --- | --- | --- | --- | --- | --- | --- | --- |
@@ -51,18 +52,18 @@
 //! | upright box, two | | | | | | | D Q S C P F | |
 //! | round box | | | | | | | | d q S c p f |
 //! | half-space | d q S c p - | d q S c p - | d q S c p - | d q S c P - | d q S c p - | d q S c p - | d q S c P - | d q S c p - |
-//! | cylinder | D q S c p f | d q S c p f | D q S c p f | D q S C P f | D q S c p f | D q S c p f | D q S C P f | D q S c p f |
-//! | cone | D q S c p f | d q S c p f | D q S c p f | D q S c p f | D q S c p f | D q S c p f | D q S C P f | D q S c p f |
-//! | ellipsoid | D q S C p f | D q S C P f | D q S c p f | D q S C P f | D q S c p f | D q S c p f | D q S C P f | D q S c p f |
-//! | disc | D q s c p f | D q S c p f | D q S c p f | D q S c p f | D q S c p f | D q S c p f | D q S C P f | D q S c p f |
+//! | cylinder | D q S c p f | d q S c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q S c P f | d q s c p f |
+//! | cone | D q S c p f | d q S c p f | d q s c p f | D q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f |
+//! | ellipsoid | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s C p f | d q s c p f |
+//! | disc | D q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q S c p f | d q s c p f | d q s c p f |
 //! | own shape | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f |
 //! | hull | D q S C p f | D q S C P f | D q s c p f | D q S C P f | D q S c p f | D q S c p f | D q S C P f | D q S c P f |
 //!
 //! | line | D q s C p - | d q S c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - |
 //! | ray | D q s c p - | d q S c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - |
 //!
-//! Two hulls have D Q S C P f, a half-space and a hull d q S c P. Cylinders, cones, ellipsoids and discs have D q S c p f
-//! among themselves (two cylinders, two ellipsoids and a cylinder and an ellipsoid C and P, too), and d q S c p from
+//! Two hulls have D Q S C P f, a half-space and a hull d q S c P. Cylinders, cones, ellipsoids and discs have d q s c p f
+//! among themselves (two cylinders S, two ellipsoids D S C P), and d q s c p, some of them S, from
 //! half-spaces. Own shapes have d q s c p f from these, hulls and curved shapes d q s c p f, and lines and rays d q s c p
 //! from both, for one item at a time. Lines and rays have d q s c p among themselves, any two D, two lines C, too. For a
 //! solid, the part of them near it counts; its ends are rounded as the solid's corners are. Rays, lines and segments

@@ -5,7 +5,7 @@ use crate::print;
 use geograd::ad::forward::First;
 use geograd::kernels::dynamic::{Mode, Operation, Rows, Sort, operation};
 use geograd::kernels::reduce::Best;
-use geograd::kernels::{Op, Search, Single};
+use geograd::kernels::{HintedSearch, Op, Single};
 use geograd::{Error, Fixed, Jet, Pack, Real, Scalar};
 
 /// A format that batches serve.
@@ -120,17 +120,25 @@ pub fn by_hand<O: Op, S: Format>(x: &[f64], bar: &[f64]) -> Vec<f64> {
     }
 }
 /// A search and its replay on plain numbers.
-pub fn replayed<D: Search, S: Format>(x: &[f64], _: &[f64]) -> Vec<f64> {
+pub fn replayed<D: HintedSearch, S: Format>(x: &[f64], _: &[f64]) -> Vec<f64> {
     let x = load::<D::In<S>>(x);
-    flat(&D::replay::<S>(x, D::decide::<S>(x)))
+    let (record, hints) = D::decide_with_hints::<S>(x);
+    flat(&D::replay_with_hints::<S>(x, record, hints))
 }
 /// A search on plain numbers and its replay on duals.
-pub fn replayed_duals<D: Search, S: Format>(x: &[f64], _: &[f64]) -> Vec<f64> {
+pub fn replayed_duals<D: HintedSearch, S: Format>(x: &[f64], _: &[f64]) -> Vec<f64> {
     let shape = load::<D::In<S>>(x);
-    let (record, codes) = (D::decide::<S>(shape), shape.codes());
+    let codes = shape.codes();
+    let (record, hints) = D::decide_with_hints::<S>(shape);
+    // Constants: no derivative is by them.
+    let hints: Vec<First<S>> = hints
+        .scalars()
+        .into_iter()
+        .map(First::<S>::from_primal)
+        .collect();
     jacobian::<S>(&x[..D::In::<S>::LEN], &|x| {
         let moved = D::In::load(x).load_codes(&codes);
-        D::replay::<First<S>>(moved, record).scalars()
+        D::replay_with_hints::<First<S>>(moved, record, Fixed::load(&hints)).scalars()
     })
 }
 

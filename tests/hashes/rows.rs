@@ -5,7 +5,7 @@ use geograd::ad::check::sample::Sample;
 #[cfg(feature = "gpu")]
 use geograd::ad::program::WGSL as PRELUDE;
 use geograd::kernels::ops::walk::{Walk, Written};
-use geograd::kernels::{Fold, Item, Op, Search, ops};
+use geograd::kernels::{Fold, HintedSearch, Item, Op, ops};
 use geograd::{Fixed, Pack, Vec2};
 
 /// A function that hashes the forms of a row.
@@ -53,7 +53,7 @@ where
         forms::batches::<S>,
     )
 }
-fn search<D: Search, S: Format>(row: &'static str) -> Entry
+fn search<D: HintedSearch, S: Format>(row: &'static str) -> Entry
 where
     D::In<f64>: Sample,
 {
@@ -139,7 +139,7 @@ impl Walk for Rows {
         self.0
             .extend([operation::<O, f64>(row), operation::<O, f32>(row)]);
     }
-    fn search<D: Search>(&mut self, row: Written)
+    fn search<D: HintedSearch>(&mut self, row: Written)
     where
         D::In<f32>: Item<Scalar = f32>,
         D::Out<f32>: Item<Scalar = f32>,
