@@ -68,7 +68,7 @@
 //!      `iou_aabb2`, `iof_aabb2`, `intersection_area_quads`;
 //!    - boxes in space: `intersection_volume_aabb3`, `iou_aabb3`, `iof_aabb3`, `intersection_volume_yaw`, `iou_yaw`,
 //!      `iof_yaw`, `iou_birds_eye`, `intersection_volume_obb3`, `iou_obb3`, `iof_obb3`, `iou_aabb3_obb3`, `iou_yaw_obb3`;
-//!    - rings: `signed_area`, `perimeter`, `centroid`.
+//!    - rings: `signed_area`, `area_of_ring`, `perimeter`, `centroid`.
 //!
 //!    All other operations guarantee it where every length, coordinate and plain number is zero or of a magnitude from
 //!    2⁻²⁰ to 2²⁰ in `f32` and from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`, and every angle is zero or at least 2⁻¹⁰⁰ in `f32` and 2⁻⁹⁰⁰
