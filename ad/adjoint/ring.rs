@@ -56,7 +56,7 @@ fn each_vertex<S: Scalar>(
     }
 }
 
-/// Writes the cotangents of [`signed_area`](crate::ring::signed_area), one per vertex.
+/// Writes the cotangents of [`signed_area`], one per vertex.
 ///
 /// With `p` and `q` the vertices before and after: `v̄ = ā/2 (q_y − p_y, p_x − q_x)`.
 ///

@@ -1,6 +1,6 @@
 //~ `geograd::kernels::Iou` of `geograd::Obb2<f64>` and `geograd::Vec2<f64>` is not defined
 //~ does not take these two shapes
-//~ `geograd::kernels::Iou` implements `geograd::kernels::Binary<YawBox3<S>, YawBox3<S>>`
+//~ `geograd::kernels::Iou` implements `geograd::kernels::Binary<Aabb3<S>, YawBox3<S>>`
 //~ a row adds shapes of your own
 use geograd::prelude::*;
 
