@@ -65,9 +65,9 @@ pub trait Search: Declares {
 /// }
 ///
 /// let run = search(CubeRoot).value_grad();
-/// let (roots, by) = Cpu::new().aligned(run, &[8.0, 27.0])?;
+/// let (roots, by): (Vec<f64>, Vec<f64>) = Cpu::new().aligned(run, &[8.0, 27.0])?;
 /// assert_eq!(roots, [2.0, 3.0]);
-/// assert!((by[0] - 1.0 / 12.0_f64).abs() < 1e-15);
+/// assert!((by[0] - 1.0 / 12.0).abs() < 1e-15);
 /// # Ok::<(), geograd::Error>(())
 /// ```
 pub trait HintedSearch: Declares {
