@@ -36,6 +36,7 @@ impl Format {
         }
     }
     /// Returns the largest finite number to a power between −1 and 1.
+    #[inline]
     pub(crate) fn largest_to(self, power: f64) -> f64 {
         super::to_power(self.largest(), self.epsilon(), power)
     }

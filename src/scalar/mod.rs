@@ -60,6 +60,7 @@ pub(crate) fn power_of_largest<S: Scalar>(power: f64) -> f64 {
 }
 
 /// Returns a format's largest number to a power between −1 and 1.
+#[inline]
 pub(crate) fn to_power(largest: f64, epsilon: f64, power: f64) -> f64 {
     // It is 2ⁿ less half a unit in its last place.
     let n = (largest.to_bits() >> 52) as f64 - 1022.0;
