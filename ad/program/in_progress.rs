@@ -158,7 +158,7 @@ impl Symbol {
     }
     /// Returns the index of its node.
     const fn index(self) -> Id {
-        // Of the lower bits alone, which fit.
+        // The lower bits alone fit.
         (self.0 & ((1 << Self::INDEX_BITS) - 1)) as Id
     }
 

@@ -254,7 +254,7 @@ impl Operation {
     ///
     /// # Errors
     ///
-    /// Those of [`replay`](Self::replay).
+    /// The errors of [`replay`](Self::replay).
     pub fn hints<T: Real>(&self, input: &[&[T]]) -> Result<Vec<T>, Error> {
         Ok(self.decided(input)?.map_or_else(Vec::new, |found| found.1))
     }

@@ -209,7 +209,7 @@ curved_rows! {
         "signed_distance_ellipsoid_disc": Ellipsoid, Disc;
         "signed_distance_discs": Disc, Disc;
     }
-    // Of several directions that are equally deep rounding chooses one, so no motion is declared.
+    // Rounding chooses one of several directions that are equally deep, so no motion is declared.
     /// The [nearest points](crate::distance3::closest_points) of {}. Points jump to another nearest feature.
     ClosestPoints -> PointPair3<S>, replay closest_points [] jumps Anywhere {
         "closest_points_capsule_cylinder": Capsule3, Cylinder;

@@ -15,7 +15,7 @@ pub(super) struct Piece {
     pub ring: Vec<usize>,
 }
 
-/// What a record says.
+/// The decisions that a record holds.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Decisions {
     /// `true` if the second body is cut by the first.
@@ -158,7 +158,7 @@ fn intersect(
     let mut planes = planes.to_vec();
     let limit = 2.0 * epsilon * extent(a);
     let (mut first, touched) = surface(&mut points, bounds, &planes, limit);
-    // Where faces of both are in one plane, points of the surface belong to either.
+    // Points of the surface belong to either body if faces of both are in one plane.
     let mut second = Vec::new();
     if touched {
         second = surface(&mut points, bounds, &planes, -limit).0;

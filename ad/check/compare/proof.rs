@@ -32,7 +32,7 @@ pub(crate) fn proof(e: &Evidence<'_>) -> Notes {
     if proof.is_endless() && (distance - parted).abs() > tolerance {
         tolerance += SAFETY * e.deviation_of_many(&e.y, |x| Some(e.subject.value(x)))[0];
     }
-    // Of curved bodies that overlap every plane is a bound, and the best one need not be among those tried.
+    // Every plane bounds the depth of curved bodies that overlap; the best one need not be among those tried.
     let is_bound = !bounds.is_depth && parted <= 0.0 && distance <= tolerance;
     let gap = match is_bound {
         true => (parted - distance).max(0.0),

@@ -14,7 +14,7 @@ pub(super) fn facing(points: &[Vec3<f64>], toward: Vec3<f64>, rounding: f64) -> 
     let slope = |face: &Face| face.normal.dot(toward);
     let faces = || body.faces.iter().filter(known);
     let steepest = faces().fold(-1.0, |most: f64, face| most.max(slope(face)));
-    // Of parts of one face, which is flat within rounding only, the largest has a normal with the most digits.
+    // The largest part of a face, which is flat within rounding only, has a normal with the most digits.
     let level = |face: &&Face| slope(face) >= steepest - rounding.sqrt();
     let size = |face: &Face| {
         let [apex, from, to] = face.plane.map(|k| points[k]);
