@@ -15,6 +15,7 @@ use geograd::{Error, Unrecordable};
 use geograd_tests::listed::parity::{Compared, compare};
 use geograd_tests::listed::{Form, Listed, list};
 use indicatif::{ProgressBar, ProgressStyle};
+use rayon::prelude::*;
 use std::process::ExitCode;
 use std::time::Duration;
 use table::{Parity, Report};
@@ -143,24 +144,26 @@ fn rows<'a>(names: &'a [dynamic::Name], asked: &str) -> Result<Vec<(Listed, &'a 
 
 fn report(gpu: &Gpu, rows: &[(Listed, &str)], settings: &Settings) -> Result<Report, Failure> {
     let progress = bar(rows.len(), "parity");
-    let mut all = Vec::new();
-    for (op, spelling) in rows {
+    // Drivers compile a kernel on one thread, which is most of the time: rows go side by side.
+    let of_row = |(op, spelling): &(Listed, &str)| -> Result<Vec<Parity>, Error> {
         progress.set_message((*spelling).to_owned());
-        for form in op.forms() {
-            let found = parity(gpu, op, form, settings.items)?;
-            all.push(Parity {
+        let forms = op.forms().into_iter().map(|form| {
+            Ok(Parity {
                 row: (*spelling).to_owned(),
                 form: form.title(),
-                found,
-            });
-        }
+                found: parity(gpu, op, form, settings.items)?,
+            })
+        });
+        let forms = forms.collect();
         progress.inc(1);
-    }
+        forms
+    };
+    let all: Vec<Vec<Parity>> = rows.par_iter().map(of_row).collect::<Result<_, _>>()?;
     progress.finish_and_clear();
     let rates = rates::all(gpu, settings.pairs, bar)?;
     Ok(Report {
         adapter: gpu.adapter().clone(),
-        parity: all,
+        parity: all.into_iter().flatten().collect(),
         rates,
         items: settings.items,
     })

@@ -29,15 +29,17 @@ const WAYS: usize = 64;
 /// Items of several columns, item after item.
 #[derive(Clone)]
 struct Items {
+    row: &'static Tested,
     layouts: Vec<Layout<f32>>,
     all: Vec<Vec<f32>>,
 }
 
 impl Items {
     /// So many inputs of a row that are valid.
-    fn drawn(row: &Tested, count: usize) -> Self {
+    fn drawn(row: &'static Tested, count: usize) -> Self {
         let (mut draw, layouts) = (Draw::new(1), row.operation.layouts::<f32>());
         let mut items = Items {
+            row,
             layouts,
             all: Vec::new(),
         };
@@ -52,13 +54,19 @@ impl Items {
             .collect();
         items
     }
+    /// Whether an item has valid shapes, for which the row is defined.
     fn accept(&self, item: &[f32]) -> bool {
         let mut rest = item;
-        self.layouts.iter().all(|layout| {
+        let is_valid = self.layouts.iter().all(|layout| {
             let (own, others) = rest.split_at(layout.fields());
             rest = others;
             layout.check(own).is_ok()
-        })
+        });
+        let arguments = self.row.operation.arguments().len();
+        let own = self.layouts.iter().take(arguments);
+        let own: usize = own.map(Layout::fields).sum();
+        let numbers: Vec<f64> = item[..own].iter().map(|&x| f64::from(x)).collect();
+        is_valid && self.row.operation.is_inside(&numbers)
     }
     /// The column of an argument.
     fn column(&self, k: usize) -> Vec<f32> {
@@ -103,6 +111,7 @@ impl Items {
             }
         };
         Items {
+            row: self.row,
             layouts: self.layouts.clone(),
             all: (0..WAYS).map(&mut way).collect(),
         }
@@ -146,7 +155,7 @@ impl Ready for Aligned<'_> {
 /// So many items side by side.
 pub fn aligned<'a>(
     backend: Backend<'a>,
-    row: &Tested,
+    row: &'static Tested,
     mode: Mode,
     count: usize,
 ) -> Result<Box<dyn Ready + 'a>, Error> {
@@ -252,7 +261,7 @@ impl Ready for Pairs<'_> {
 /// The matrix of `side` rows and as many columns, ready to run.
 pub fn pairs<'a>(
     backend: Backend<'a>,
-    row: &Tested,
+    row: &'static Tested,
     side: usize,
     derivatives: bool,
 ) -> Result<Box<dyn Ready + 'a>, Error> {
@@ -338,7 +347,7 @@ impl Ready for Paths<'_> {
 /// So many paths.
 pub fn paths<'a>(
     backend: Backend<'a>,
-    row: &Tested,
+    row: &'static Tested,
     count: usize,
     derivatives: bool,
 ) -> Result<Box<dyn Ready + 'a>, Error> {
@@ -352,6 +361,7 @@ pub fn paths<'a>(
         item[..wide].iter().map(|&x| x as f32).collect()
     });
     let mut items = Items {
+        row,
         layouts: takes.into_iter().map(|(_, layout)| layout).collect(),
         all: different.collect(),
     };

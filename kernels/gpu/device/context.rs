@@ -1,6 +1,6 @@
 //! The context of a GPU: device, queue, limits and compiled shaders.
 use super::adapter::{self, Adapter, Options};
-use super::generated::text::Pipelines;
+use super::generated::text::{Pipeline, Pipelines};
 use super::written::{GROUP, GROUP_VJP, Kernel};
 use crate::kernels::cpu::lane::TILE;
 use crate::kernels::machine::Machine;
@@ -33,7 +33,7 @@ pub(super) struct SharedContext {
     pub(super) timing: bool,
     pub(super) kernel_time: Mutex<Duration>,
     pub(super) lost: Arc<AtomicBool>,
-    pub(super) pipelines: Mutex<HashMap<(Kernel, &'static str), wgpu::ComputePipeline>>,
+    pub(super) pipelines: Mutex<HashMap<(Kernel, &'static str), Pipeline>>,
     pub(super) generated: Mutex<Pipelines>,
 }
 

@@ -1,6 +1,7 @@
 //! The execution of kernels: pipelines, dispatches, error scopes.
 use super::context::{SharedContext, locked};
 use super::download::DownloadState;
+use super::generated::text::Pipeline;
 use super::written::{GROUP, Kernel};
 use crate::{Error, GpuFault};
 use std::sync::atomic::Ordering;
@@ -275,15 +276,12 @@ impl SharedContext {
         entry: &'static str,
         text: impl FnOnce() -> String,
     ) -> wgpu::ComputePipeline {
-        let mut pipelines = locked(&self.pipelines);
+        let place = Pipeline::clone(locked(&self.pipelines).entry((kernel, entry)).or_default());
         let make = || {
             log::debug!("compiling {entry} of {kernel:?}");
             self.compiled(entry, entry, text())
         };
-        pipelines
-            .entry((kernel, entry))
-            .or_insert_with(make)
-            .clone()
+        place.get_or_init(make).clone()
     }
 
     /// Compiles an entry point of a shader.

@@ -28,7 +28,7 @@ use crate::kernels::row::op::Op;
 use crate::{Error, Pack};
 use operation::{Generated, ProgramName};
 use std::sync::Arc;
-use text::{KernelForm, SummedLists};
+use text::{KernelForm, Pipeline, SummedLists};
 use uploaded::MOST_OPERATIONS;
 
 impl SharedContext {
@@ -42,13 +42,18 @@ impl SharedContext {
     ) -> wgpu::ComputePipeline {
         let mut pipelines = locked(&self.generated);
         let key = (*name.0, form);
-        if let Some((_, pipeline)) = pipelines.get(&key) {
-            return pipeline.clone();
-        }
-        pipelines.retain(|_, (owner, _)| owner.strong_count() > 0);
-        let pipeline = self.compiled("generated", form.entry(), text());
-        pipelines.insert(key, (std::sync::Arc::downgrade(&name.0), pipeline.clone()));
-        pipeline
+        let place = match pipelines.get(&key) {
+            Some((_, place)) => Pipeline::clone(place),
+            None => {
+                pipelines.retain(|_, (owner, _)| owner.strong_count() > 0);
+                let place = Pipeline::default();
+                pipelines.insert(key, (Arc::downgrade(&name.0), Pipeline::clone(&place)));
+                place
+            }
+        };
+        drop(pipelines);
+        let pipeline = place.get_or_init(|| self.compiled("generated", form.entry(), text()));
+        pipeline.clone()
     }
 }
 

@@ -3,7 +3,7 @@ use super::operation::{Generated, ShaderBody};
 use crate::kernels::cpu::lane::TILE;
 use std::collections::HashMap;
 use std::fmt::Write;
-use std::sync::Weak;
+use std::sync::{Arc, OnceLock, Weak};
 
 /// The number of threads of a workgroup: few, since large programs need many registers.
 pub(in crate::kernels::gpu::device) const GROUP: usize = 64;
@@ -168,6 +168,10 @@ pub(super) fn results(gives: &[usize], parameter: usize) -> String {
     text
 }
 
+/// The place of a pipeline: the first thread that asks compiles it, and others wait for it alone. Maps of such places are
+/// locked for the look-up only, since a driver can take seconds.
+pub(in crate::kernels::gpu::device) type Pipeline = Arc<OnceLock<wgpu::ComputePipeline>>;
+
 /// Pipelines of generated kernels, by the number of the program and the form of the kernel.
 pub(in crate::kernels::gpu::device) type Pipelines =
-    HashMap<(u64, KernelForm), (Weak<u64>, wgpu::ComputePipeline)>;
+    HashMap<(u64, KernelForm), (Weak<u64>, Pipeline)>;
