@@ -1,6 +1,6 @@
 """Checks and measures kernels on a card of CUDA in one command, and writes a table.
 
-    python python/benches/card.py                 # on a card: sizes up to 10^6, a table in python/benches/card.md
+    python python/benches/card.py                 # on a card: sizes up to 10^7, a table in python/benches/card.md
     python python/benches/card.py --processor     # without one: tiny sizes, kernels run on the processor, nothing is written
 
 Every result is compared with the library's on the CPU: values and derivatives item by item, rows' maxima, pairs above a
@@ -86,6 +86,27 @@ def timed(run, device):
     return statistics.median(times)
 
 
+def of_kernels(run, device):
+    """Milliseconds of the kernels of a run, without what launches them: those of a recorded graph, the median."""
+    if device.type != "cuda":
+        return None
+    aside, graph = torch.cuda.Stream(), torch.cuda.CUDAGraph()
+    aside.wait_stream(torch.cuda.current_stream())
+    with torch.cuda.stream(aside):
+        run()
+    torch.cuda.current_stream().wait_stream(aside)
+    try:
+        with torch.cuda.graph(graph):
+            kept = run()
+    except RuntimeError:
+        # A formula that waits for the host, or copies from it, has no graph.
+        torch.cuda.synchronize()
+        return None
+    time_ = timed(graph.replay, device)
+    del kept
+    return time_
+
+
 def numpy(x):
     return x.detach().cpu().numpy()
 
@@ -96,7 +117,7 @@ class Table:
     def __init__(self):
         self.lines, self.failed = [], 0
 
-    def add(self, name, count, run, found=None, expected=None, tolerance=0.0, device=None, bytes_=0):
+    def add(self, name, count, run, found=None, expected=None, tolerance=0.0, device=None, bytes_=0, has_graph=False):
         off = 0.0
         if expected is not None:
             for x, known in zip(found, expected):
@@ -110,10 +131,13 @@ class Table:
         wrong = "" if off <= tolerance else " **WRONG**"
         self.failed += bool(wrong)
         time_ = timed(run, device)
+        alone = of_kernels(run, device) if has_graph else None
+        kernels = f"{alone:.4f}" if alone else ""
+        time_, of_call = alone or time_, time_
         rate = f"{count / time_ / 1e3:.0f}" if time_ else ""
         memory = f"{bytes_ / time_ / 1e6:.0f}" if bytes_ else ""
         text = "" if expected is None else f"{off:.1e}{wrong}"
-        self.lines.append(f"| {name} | {count:.0e} | {time_:.3f} | {rate} | {memory} | {text} |")
+        self.lines.append(f"| {name} | {count:.0e} | {of_call:.3f} | {kernels} | {rate} | {memory} | {text} |")
         print(self.lines[-1], flush=True)
 
 
@@ -123,7 +147,7 @@ def aligned(table, count, device, dtype):
     name = str(dtype)[6:]
     expected, (by_a, by_b) = geograd.iou.value_grad(numpy(a), numpy(b), kind="Obb2")
     run = lambda: gt.iou(a, b, kind="Obb2")
-    table.add(f"iou of rotated boxes, {name}", count, run, [numpy(run())], [expected], 1e-12, device, 11 * size * count)
+    table.add(f"iou of rotated boxes, {name}", count, run, [numpy(run())], [expected], 1e-12, device, 11 * size * count, True)
     x, y = a.clone().requires_grad_(), b.clone().requires_grad_()
 
     def slopes(of):
@@ -131,14 +155,26 @@ def aligned(table, count, device, dtype):
 
     run = lambda: slopes(lambda x, y: gt.iou(x, y, kind="Obb2"))
     found = [numpy(grad) for grad in run()]
-    table.add(f"its value and gradient, {name}", count, run, found, [by_a, by_b], 1e-12, device, 32 * size * count)
-    if dtype == torch.float32:
+    table.add(f"its value and gradient, {name}", count, run, found, [by_a, by_b], 1e-12, device, 32 * size * count, True)
+    if dtype == torch.float32 and count <= 1_000_000:
         # Its corners decide by small distances, which single pairs may miss.
         table.add("torch's formula, eager", count, lambda: rotated_iou.iou(a, b), device=device)
         table.add("torch's formula, eager, and gradient", count, lambda: slopes(rotated_iou.iou), device=device)
-        if device.type == "cuda":
-            compiled = torch.compile(rotated_iou.iou)
-            table.add("torch's formula, compiled, and gradient", count, lambda: slopes(compiled), device=device)
+
+
+def compiled(table, count, device):
+    a, b = (boxes(count, seed, device, torch.float32).requires_grad_() for seed in (1, 2))
+    formula = torch.compile(rotated_iou.iou)
+    table.add("torch's formula, compiled", count, lambda: formula(a.detach(), b.detach()), device=device)
+    run = lambda: torch.autograd.grad(formula(a, b).sum(), (a, b))
+    table.add("torch's formula, compiled, and gradient", count, run, device=device)
+
+
+def copied(table, count, device):
+    """What the memory of the card gives: a copy, read and written."""
+    a = torch.zeros(16 * count, device=device)
+    b = torch.empty_like(a)
+    table.add("a copy of 16 numbers an item", count, lambda: b.copy_(a), device=device, bytes_=2 * 64 * count, has_graph=True)
 
 
 def second(table, count, device):
@@ -216,23 +252,28 @@ def main():
         device, counts, side, of_space = torch.device("cpu"), [50], 12, 6
         name = "no card: kernels on the processor"
     elif torch.cuda.is_available():
-        device, counts, side, of_space = torch.device("cuda"), [10_000, 1_000_000], 4000, 100_000
+        device, counts, side, of_space = torch.device("cuda"), [10_000, 1_000_000, 10_000_000], 4000, 100_000
         name = torch.cuda.get_device_name(device)
     else:
         parser.error("torch finds no card; --processor runs kernels on the processor")
     head = [
         f"Kernels of CUDA on: {name}; torch {torch.__version__}.",
         "",
-        "| what | items or pairs | ms | million a second | GB/s | off the CPU's |",
-        "| --- | ---: | ---: | ---: | ---: | ---: |",
+        "A call has the host's work, which kernels alone have not; rates are those of kernels where they were measured alone.",
+        "",
+        "| what | items or pairs | call, ms | kernels, ms | million a second | GB/s | off the CPU's |",
+        "| --- | ---: | ---: | ---: | ---: | ---: | ---: |",
     ]
     print("\n".join(head))
     for count in counts:
         aligned(table, count, device, torch.float32)
+    copied(table, counts[-1], device)
     aligned(table, counts[0], device, torch.float64)
     second(table, counts[0], device)
     pairs(table, side, device)
     volumes(table, of_space, device)
+    if not options.processor:
+        compiled(table, counts[1], device)
     if not options.processor:
         (HERE / "card.md").write_text("\n".join([*head, *table.lines]) + "\n", encoding="utf-8")
     if table.failed:
