@@ -8,7 +8,7 @@ from . import ROOT, write
 
 PACKAGE = ROOT / "python" / "python" / "geograd"
 MODULES = [
-    "torch", "jax", "arrow", "geoarrow", "shapely", "ray", "datafusion", "metric", "assignment", "suppression", "torchvision",
+    "torch", "jax", "cuda", "arrow", "geoarrow", "shapely", "ray", "datafusion", "metric", "assignment", "suppression", "torchvision",
     "mmrotate", "supervision", "ultralytics",
 ]
 #: Classes of the stubs, beside shapes and verbs, that a user meets.
@@ -247,10 +247,19 @@ def module(name):
                 ast.get_docstring(node),
             )
         )
-        for own in functions(node.body):
+        for own in methods(node):
             if ast.get_docstring(own):
                 text.append(entry(f"{node.name}.{own.name}", signature(own, owner=True), ast.get_docstring(own), 3))
     return "\n".join(text)
+
+
+def methods(node, source="_cuda_calls.py"):
+    """Returns the methods of a class; those of verbs on a card are in the class that they extend."""
+    yield from functions(node.body)
+    bases = {ast.unparse(own) for own in node.bases}
+    for base in parsed(source).body if node.name == "Verb" else []:
+        if isinstance(base, ast.ClassDef) and base.name in bases:
+            yield from functions(base.body)
 
 
 def imported(tree):

@@ -10,11 +10,10 @@ import ctypes
 import math
 from typing import Any, Callable, Optional, Sequence
 
-import numpy as np
 import torch
 
 from ._cuda_kernels import Kernel, Unavailable, loaded, text_of
-from ._cuda_pairs import List, Pairs, Ranges
+from ._cuda_pairs import List, Pairs, Ranges, ranges_of
 
 __all__ = ["Unavailable", "above", "computed", "count_above", "is_there", "most", "pulled_back", "source_of", "total"]
 
@@ -136,16 +135,11 @@ def _pairs(node: Any, a: torch.Tensor, b: torch.Tensor, own: int = 0, groups: An
 
 
 def _ranges(groups: Any, own: int, counts: Sequence[int], device: torch.device) -> Ranges:
-    """The first row and the one after the last row of the others, of every own row, by the offsets of both lists."""
+    """The ranges of groups on the device of the lists."""
     if groups is None:
         return None
-    offsets = [np.asarray(x, np.int64) for x in groups]
-    for name, x, count in zip("ab", offsets, counts):
-        if x.ndim != 1 or len(x) != len(offsets[0]) or len(x) == 0 or x[0] != 0 or x[-1] != count or (np.diff(x) < 0).any():
-            raise ValueError(f"groups: the offsets of `{name}` must rise from 0 to {count}, as many as of the other list")
-    sizes, others = np.diff(offsets[own]), offsets[1 - own]
-    upload = lambda x: torch.from_numpy(np.repeat(x, sizes)).to(device)
-    return upload(others[:-1]), upload(others[1:])
+    low, high = ranges_of(groups, own, counts)
+    return torch.from_numpy(low).to(device), torch.from_numpy(high).to(device)
 
 
 def most(node: Any, a: torch.Tensor, b: torch.Tensor, own: int, sign: str, groups: Any) -> tuple[Any, Any]:

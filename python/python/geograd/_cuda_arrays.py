@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import weakref
-from typing import Any, Callable, Optional, Sequence
+from typing import Any, Callable, Optional, Protocol, Sequence, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,33 +20,110 @@ _CARDS = (2, 13)
 _LEGACY = 1
 
 
+class ByInterface(Protocol):
+    """An array that says where it is by ``__cuda_array_interface__``."""
+
+    @property
+    def __cuda_array_interface__(self) -> Any: ...
+
+
+class ByDLPack(Protocol):
+    """An array that says where it is by DLPack."""
+
+    def __dlpack__(self, *, stream: Any = ...) -> Any: ...
+
+    def __dlpack_device__(self) -> Any: ...
+
+
+#: What functions take.
+OnCard = Union[ByInterface, ByDLPack]
+
+
 class View:
     """An array of floats on a card: where it is, its shape, and its strides in numbers."""
 
-    def __init__(self, address: int, shape: Sequence[int], strides: Sequence[int], dtype: Any, owner: Any) -> None:
+    def __init__(self, address: int, shape: Sequence[int], strides: Sequence[int], dtype: Any, owner: Any, is_fixed: bool = False) -> None:
         self.address, self.shape, self.strides, self.dtype = address, tuple(shape), tuple(strides), np.dtype(dtype)
-        self.owner = owner
+        self.owner, self.is_fixed = owner, is_fixed
+
+    def span(self) -> tuple[int, int]:
+        """The bytes from the first number to the one after the last."""
+        size, low, high = self.dtype.itemsize, 0, 0
+        if 0 in self.shape:
+            return self.address, self.address
+        for count, stride in zip(self.shape, self.strides):
+            low, high = low + min(0, (count - 1) * stride), high + max(0, (count - 1) * stride)
+        return self.address + size * low, self.address + size * (high + 1)
 
 
-def is_array(x: Any) -> bool:
-    """Whether an object says where its numbers are on a card."""
-    return hasattr(x, "__cuda_array_interface__") or hasattr(x, "__dlpack__")
+class Out:
+    """A caller's array that takes a result; ``waits`` says that its own stream may not wait for the kernel."""
+
+    def __init__(self, view: View, waits: bool) -> None:
+        self.address, self.span, self.waits = view.address, view.span(), waits
 
 
 def viewed(x: Any, name: str) -> View:
     """The numbers of an argument where they are."""
-    if hasattr(x, "__cuda_array_interface__"):
-        view, stream = _by_interface(x)
-        if stream not in (None, _LEGACY):
-            driver, _ = kernels.bindings()
-            checked(driver.cuStreamSynchronize(stream))
-    elif hasattr(x, "__dlpack__"):
-        view = _by_dlpack(x, name)
-    else:
-        raise TypeError(f"`{name}`: an array on a card is needed, not {type(x).__name__}")
+    view, _ = _synced(x, f"`{name}`")
     if view.dtype not in _FORMATS:
         raise TypeError(f"`{name}`: float32 and float64 are computed, not {view.dtype}")
     return view
+
+
+def _synced(x: Any, name: str) -> tuple[View, bool]:
+    """An array after what its own stream has to do, and whether that stream may run beside the one of kernels."""
+    if hasattr(x, "__cuda_array_interface__"):
+        view, stream = _by_interface(x)
+        is_beside = stream not in (None, _LEGACY)
+        if is_beside:
+            driver, _ = kernels.bindings()
+            checked(driver.cuStreamSynchronize(stream))
+        return view, is_beside
+    if hasattr(x, "__dlpack__"):
+        return _by_dlpack(x, name), True
+    raise TypeError(f"{name}: an array on a card is needed, not {type(x).__name__}")
+
+
+def given(places: Sequence[Any], names: Sequence[str], sizes: Sequence[Any], views: Sequence[View], space: Memory) -> list[Optional[Out]]:
+    """The caller's arrays for results, none for those that are not wanted; all are checked before anything is written."""
+    found: list[Optional[Out]] = []
+    taken = [view.span() for view in views]
+    for x, name, size in zip(places, names, sizes):
+        if x is None:
+            found.append(None)
+            continue
+        name = f"out ({name})"
+        view, is_beside = _synced(x, name)
+        if view.dtype != views[0].dtype:
+            raise TypeError(f"{name}: an array of {views[0].dtype} is needed, like the arguments")
+        if view.shape != tuple(size):
+            raise ValueError(f"{name}: an array of shape {tuple(size)} is needed, not {view.shape}")
+        if any(count > 1 and step != own for count, step, own in zip(view.shape, view.strides, _contiguous(view.shape))):
+            raise ValueError(f"{name}: its numbers are not one after another; an array in C order is needed")
+        if view.is_fixed:
+            raise ValueError(f"{name}: it is read-only")
+        if 0 not in view.shape and card_of(view) is not space.card:
+            raise TypeError(f"{name}: it is on another card than the arguments")
+        low, high = view.span()
+        if any(low < end and start < high for start, end in taken):
+            raise ValueError(f"{name}: it shares memory with an argument or another result")
+        taken.append((low, high))
+        found.append(Out(view, is_beside))
+    return found
+
+
+def host_of(x: Any, name: str) -> NDArray[Any]:
+    """Whole numbers as an array of the processor, from wherever they are."""
+    if isinstance(x, np.ndarray) or not hasattr(x, "__cuda_array_interface__"):
+        return np.asarray(x)
+    view, _ = _synced(x, name)
+    if view.strides != _contiguous(view.shape):
+        raise ValueError(f"{name}: offsets on a card must lie one after another; pass a contiguous copy")
+    made: NDArray[Any] = np.empty(view.shape, view.dtype)
+    if made.size:
+        card_of(view).copied(view.address, made)
+    return made
 
 
 def _by_interface(x: Any) -> tuple[View, Optional[int]]:
@@ -57,7 +134,7 @@ def _by_interface(x: Any) -> tuple[View, Optional[int]]:
         steps = _contiguous(shape)
     else:
         steps = tuple(stride // dtype.itemsize for stride in strides)
-    return View(int(told["data"][0]), shape, steps, dtype, x), told.get("stream")
+    return View(int(told["data"][0]), shape, steps, dtype, x, bool(told["data"][1])), told.get("stream")
 
 
 class _Tensor(ctypes.Structure):
@@ -73,7 +150,7 @@ class _Tensor(ctypes.Structure):
 def _by_dlpack(x: Any, name: str) -> View:
     device, _ = x.__dlpack_device__()
     if int(device) not in _CARDS:
-        raise TypeError(f"`{name}` is not on a card of CUDA, but on device {int(device)} of DLPack")
+        raise TypeError(f"{name} is not on a card of CUDA, but on device {int(device)} of DLPack")
     capsule = x.__dlpack__(stream=_LEGACY)
     pointer = ctypes.pythonapi.PyCapsule_GetPointer
     pointer.restype, pointer.argtypes = ctypes.c_void_p, [ctypes.py_object, ctypes.c_char_p]
@@ -211,10 +288,16 @@ class Memory:
         with self.card:
             kernel(threads, 0, arguments)
 
+    def wait(self) -> None:
+        """Ends when kernels have ended: for streams that do not wait for theirs."""
+        driver, _ = kernels.bindings()
+        with self.card:
+            checked(driver.cuStreamSynchronize(0))
+
     def starts(self, counts: Array) -> tuple[Array, int]:
         host = counts.numpy().reshape(-1)
         ends = np.cumsum(host)
         return self.card.uploaded(ends - host), int(ends[-1]) if host.size else 0
 
 
-__all__ = ["Array", "Memory", "Unavailable", "View", "is_array", "viewed"]
+__all__ = ["Array", "Memory", "OnCard", "Out", "Unavailable", "View", "given", "host_of", "viewed"]

@@ -9,6 +9,9 @@ import ctypes
 import math
 from typing import Any, Callable, Optional, Protocol, Sequence
 
+import numpy as np
+from numpy.typing import NDArray
+
 from ._cuda_kernels import NUMBERS, Kernel, Walk, functions_of, joined_extremes, joined_sums, text_of
 
 #: As many threads as keep a card busy.
@@ -48,6 +51,20 @@ class List:
 
     def __init__(self, array: Any, count: int, step: int, width: int) -> None:
         self.array, self.count, self.step, self.width = array, count, step, width
+
+
+def ranges_of(groups: Sequence[Any], own: int, counts: Sequence[int]) -> tuple[NDArray[Any], NDArray[Any]]:
+    """The first row and the one after the last row of the others, of every own row, by the offsets of both lists."""
+    if len(groups) != 2:
+        raise TypeError("groups: the offsets of both lists are needed")
+    offsets = [np.asarray(x) for x in groups]
+    for name, x, count in zip("ab", offsets, counts):
+        if x.size and x.dtype.kind not in "iu":
+            raise TypeError(f"groups: the offsets of `{name}` are whole numbers, not {x.dtype}")
+        if x.ndim != 1 or len(x) != len(offsets[0]) or len(x) == 0 or x[0] != 0 or x[-1] != count or (x[1:] < x[:-1]).any():
+            raise ValueError(f"groups: the offsets of `{name}` must rise from 0 to {count}, as many as of the other list")
+    sizes, others = np.diff(offsets[own]), offsets[1 - own].astype(np.int64)
+    return np.repeat(others[:-1], sizes), np.repeat(others[1:], sizes)
 
 
 #: The first row and the one after the last row of the others, of every own row; None for all.

@@ -1,7 +1,7 @@
 """Calls of nodes on JAX's arrays, with their derivatives: what :mod:`geograd.jax` is made of.
 
 A node is a primitive of JAX, and so is its derivative along directions, whose transpose is the node of cotangents. So JAX
-has forward and reverse mode and their combinations from two rules.
+has forward and reverse mode and their combinations from two rules. On a card of CUDA either is a kernel of Pallas.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import numpy as np
 from jax.extend.core import Primitive
 from jax.interpreters import ad, batching, mlir
 
-from geograd import _nodes
+from geograd import _jax_pallas, _nodes
 
 
 def lead_of(node, xs):
@@ -46,23 +46,44 @@ def _along(node, active, xs):
 
 
 class Kind:
-    """A primitive: what it computes on the host, and what its results look like."""
+    """A primitive: what it computes on the host, what its results look like, and its kernel for a card, if it has one.
 
-    def __init__(self, name, host, shapes):
+    ``kernel(xs, interpret, **of)`` gives the results, or None where the host has to compute them.
+    """
+
+    def __init__(self, name, host, shapes, kernel=None):
         self.primitive = primitive = Primitive(name)
         primitive.multiple_results = True
-        self.host, self.shapes = host, shapes
-        primitive.def_impl(lambda *xs, **of: [jnp.asarray(x) for x in host(xs, **of)])
+        self.host, self.shapes, self.kernel = host, shapes, kernel
+        primitive.def_impl(self._run)
         primitive.def_abstract_eval(
             lambda *xs, **of: [jax.core.ShapedArray(one.shape, one.dtype) for one in shapes(xs, **of)]
         )
         mlir.register_lowering(primitive, mlir.lower_fun(self._called, multiple_results=True))
+        if kernel is not None:
+            on_a_card = functools.partial(self._called, is_card=True)
+            mlir.register_lowering(primitive, mlir.lower_fun(on_a_card, multiple_results=True), platform="cuda")
         batching.primitive_batchers[primitive] = self._batched
 
     def bind(self, *xs, **of):
         return self.primitive.bind(*xs, **of)
 
-    def _called(self, *xs, **of):
+    def _run(self, *xs, **of):
+        """The results outside of transforms: those of arrays on a card stay there."""
+        way = _jax_pallas.setting()
+        if self.kernel is not None and way != "off" and (way == "interpret" or _is_on_a_card(xs)):
+            kept, key = of["node"].kept, (self.primitive.name, way, of.get("active"))
+            if key not in kept:
+                kept[key] = jax.jit(functools.partial(self.bind, **of))
+            return kept[key](*xs)
+        return [jnp.asarray(x) for x in self.host(xs, **of)]
+
+    def _called(self, *xs, is_card=False, **of):
+        way = _jax_pallas.setting()
+        if self.kernel is not None and (is_card and way != "off" or way == "interpret"):
+            results = self.kernel(xs, not is_card, **of)
+            if results is not None:
+                return results
         host = functools.partial(_tuple, self.host, tuple(of.items()))
         return jax.pure_callback(host, tuple(self.shapes(xs, **of)), *xs, vmap_method="broadcast_all")
 
@@ -76,6 +97,13 @@ class Kind:
         return results, [0] * len(results)
 
 
+def _is_on_a_card(xs):
+    """Whether arrays are on a card of CUDA."""
+    if jax.default_backend() == "cpu":
+        return False
+    return any(device.platform == "gpu" for x in xs if isinstance(x, jax.Array) for device in x.devices())
+
+
 def _tuple(host, of, *xs):
     return tuple(host(xs, **dict(of)))
 
@@ -85,11 +113,20 @@ def _shapes(xs, node, **_):
     return [jax.ShapeDtypeStruct(_nodes.size(lead, width), xs[0].dtype) for width in node.gives]
 
 
+def _push_kernel(xs, interpret, node, active):
+    is_given = (*[True] * len(node.takes), *active)
+    return _jax_pallas.computed(node.jvp(), xs, is_given, len(node.gives), interpret)
+
+
 #: The results of a node.
-_CALL = Kind("geograd_call", lambda xs, node: _computed(node, xs), _shapes)
+_CALL = Kind(
+    "geograd_call", lambda xs, node: _computed(node, xs), _shapes,
+    lambda xs, interpret, node: _jax_pallas.computed(node, xs, [True] * len(xs), 0, interpret),
+)
 #: The derivatives of its results along directions of the arguments that are active, which follow the arguments.
 _PUSH = Kind(
-    "geograd_push", lambda xs, node, active: _computed(node.jvp(), _along(node, active, xs))[len(node.gives) :], _shapes
+    "geograd_push", lambda xs, node, active: _computed(node.jvp(), _along(node, active, xs))[len(node.gives) :], _shapes,
+    _push_kernel,
 )
 
 

@@ -1,8 +1,14 @@
-"""Verbs, losses and own functions as differentiable JAX functions, computed on the CPU by the library.
+"""Verbs, losses and own functions as differentiable JAX functions, computed on the CPU by the library, on a card by Pallas.
 
 ``geograd.jax.iou(a, b, kind="Obb2")`` takes arrays of shape ``(..., 5)`` and gives one of shape ``(...)``;
 ``geograd.jax.iou.all_pairs(a, b, kind="Obb2")`` gives a matrix. ``jit``, ``grad``, ``vmap``, forward mode (``jvp``,
 ``jacfwd``, ``hessian``) and derivatives of any order work; under ``jit`` the library runs in a callback on the host.
+
+Arrays on a card of CUDA stay there: the library's program becomes a kernel of Pallas. Such kernels check no shape. In float32 they have
+the library's bits but for few last digits; sines, exponentials and angles of float64 are those of CUDA's own library. The host computes
+searches, paths, columns, and programs of more than 6,000 operations, such as gradients of freely rotated boxes of space, which take
+minutes to compile. ``GEOGRAD_JAX_PALLAS=off`` leaves all to the host; ``interpret`` runs kernels on the CPU, for tests. JAX on other
+cards computes on the host. Tests run kernels in the interpreter and compile them for CUDA; nobody has run them on a card.
 
 :class:`Polygons` (with holes and parts), :class:`Rings`, :class:`Polylines` and :class:`Clouds` are columns, trees with one leaf:
 ``geograd.jax.iou(polygons, others)`` and the other verbs of columns have derivatives by every vertex.

@@ -100,10 +100,17 @@ def validators(a: torch.Tensor, scores: torch.Tensor) -> torch.Tensor:
     return geograd.ultralytics.batch_probiou(a, a).sum() + kept.sum()
 
 
-def on_a_card(a: Any, b: Any) -> Any:
+def on_a_card(a: geograd.cuda.OnCard, b: geograd.cuda.Array, own: geograd.Function) -> int:
     """Type checkers read it; it needs a card."""
-    overlaps: geograd.cuda.Verb = geograd.cuda.iou
-    return overlaps.value_grad(a, b, kind="Obb2")
+    overlaps: geograd.cuda.Verb[geograd.cuda.Array] = geograd.cuda.iou
+    value, (by_a, _) = overlaps.value_grad(a, b, kind="Obb2")
+    again: geograd.cuda.Array = overlaps(by_a, b, kind="Obb2", out=value)
+    best, at = overlaps.row_max(a, again, groups=([0, 2], np.array([0, 2])), kind=geograd.Obb2)
+    misses = geograd.cuda.function(own)
+    total: geograd.cuda.Array = misses.sum(best, at)
+    _, along = misses.jvp(a, b, a, b)
+    host: Numbers = overlaps.all_pairs(a, total, kind="Obb2").numpy()
+    return len(along) + overlaps.count_above(a, b, 0.5, kind="Obb2") + len(host)
 
 
 def is_there(*names: str) -> bool:

@@ -5,6 +5,7 @@ import torch
 
 import geograd
 import geograd.arrow
+import geograd.cuda
 import geograd.datafusion
 import geograd.jax
 import geograd.torch
@@ -28,6 +29,9 @@ geograd.torch.KLDLoss(invalid="skip")  # mistake
 geograd.torch.iou.suppress(tensor)  # mistake
 geograd.jax.giou_loss(boxes.array, boxes.array, reduction="median")  # mistake
 geograd.jax.iou.all_pair(boxes.array, boxes.array)  # mistake
+geograd.cuda.iuo  # mistake
+geograd.cuda.iou([0.0, 0.0, 4.0, 2.0, 0.1], tensor, kind="Obb2")  # mistake
+geograd.cuda.iou.row_max(tensor, tensor, 0.5, kind="Obb2")  # mistake
 geograd.arrow.Apply("iou", ["a", "b"])  # mistake
 geograd.datafusion.register(None, "iou", "Obb2", precision="f16")  # mistake
 metric.average_precision((1, 2, 3), "ten")  # mistake
