@@ -51,7 +51,7 @@ fn wide_derivatives<O: Score>(a: &[f64], b: &[f64]) -> Vec<f64> {
 /// themselves. Derivatives jump at kinks, so inputs are moved every which way and the spread is taken,
 /// except where rounding has no say in which side of a kink it is.
 /// A ratio's derivative with respect to a size is the difference of two terms as large as the ratio over
-/// that size, which may cancel.
+/// that size, which may cancel; an area's is one of lengths of borders up to the longer side of the smaller box.
 pub fn derivative_bounds<O: Score>(
     a: O::Shape,
     b: O::Shape,
@@ -84,7 +84,8 @@ pub fn derivative_bounds<O: Score>(
     }
     let largest = exact.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
     let term = |shape: O::Shape| match shape.sides().1 {
-        short if short > 0.0 && O::OVER != Denominator::None => value / short,
+        _ if O::OVER == Denominator::None => a.sides().0.min(b.sides().0),
+        short if short > 0.0 => value / short,
         _ => 0.0,
     };
     let terms = largest.max(term(a)).max(term(b));

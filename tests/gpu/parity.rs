@@ -266,7 +266,10 @@ fn identical_and_thin_boxes() {
     boxes.extend((0..200).map(|_| Obb2::new(0.0, 0.0, 1e-3, 50.0, 7.0 * draws.next())));
     let run = overlap::IouObb2.value_grad();
     let (values, (a_bars, _)) = gpu.aligned(run, (&boxes, &boxes)).unwrap();
-    assert!(values.iter().all(|&value| value == 1.0));
+    // Drivers of cards fuse products with sums: differences of equal products leave their roundings.
+    let is_exact = gpu.adapter().is_software;
+    let off = if is_exact { 0.0 } else { 1e-6 };
+    assert!(values.iter().all(|&value| (value - 1.0).abs() <= off));
     let mut own = vec![0.0; boxes.len() * boxes.len()];
     own.iter_mut()
         .step_by(boxes.len() + 1)
@@ -274,9 +277,26 @@ fn identical_and_thin_boxes() {
     let of_pairs = gpu
         .all_pairs_vjp(overlap::IouObb2, &boxes, &boxes, &own)
         .unwrap();
-    for bar in a_bars.into_iter().chain(of_pairs.0).chain(of_pairs.1) {
+    let sides = boxes.iter().map(|shape| shape.size.x.min(shape.size.y));
+    let sides: Vec<f32> = sides.collect();
+    for (k, bar) in a_bars
+        .into_iter()
+        .chain(of_pairs.0)
+        .chain(of_pairs.1)
+        .enumerate()
+    {
+        // A slope is a difference of terms as large as one over the shorter side, and by the heading times the longer one.
+        let size = boxes[k % boxes.len()].size;
+        let term = size.x.max(size.y).max(1.0) / sides[k % boxes.len()];
+        let slack = if is_exact {
+            0.0
+        } else {
+            ROUNDINGS * EPSILON * f64::from(term)
+        };
         assert!(
-            fields(bar).iter().all(|&derivative| derivative == 0.0),
+            fields(bar)
+                .iter()
+                .all(|&derivative| derivative.abs() <= slack),
             "{bar:?}"
         );
     }
@@ -334,8 +354,15 @@ fn extremes_agree<O: Score<Shape = Obb2<f32>>>(gpu: &Gpu) {
             );
         }
         let found = found.at(i, j);
+        // Of thin boxes the area is right to what rounding moves of a long border, which here can be any number.
+        let bound = value_bound::<O>(boxes[i], boxes[j], f64::from(value)) as f32;
+        let slack = if gpu.adapter().is_software {
+            0.0
+        } else {
+            bound
+        };
         assert!(
-            (found - value).abs() <= 1e-5 * value.max(1.0),
+            (found - value).abs() <= slack.max(1e-5 * value.max(1.0)),
             "{}: {found} for {value}",
             O::DECLARED.name
         );
