@@ -250,7 +250,8 @@ impl Operation {
     }
 
     /// Returns the [hints](crate::kernels::HintedSearch) of a search for one input, which its [`replay`](Self::replay)
-    /// takes as an argument named `hints`; none for other operations, and for searches without hints.
+    /// takes as an argument named `hints`; none for other operations, and for searches without hints. They are constants:
+    /// programs of derivatives list zeros for the derivatives by them.
     ///
     /// # Errors
     ///

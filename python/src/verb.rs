@@ -283,6 +283,33 @@ impl Verb {
             // Which says why there is none.
             return form.of(row.call.program::<T>(Form::Value)?);
         };
+        self.of_one_item(py, row, arguments, |numbers| {
+            form.of(&operation.replay::<T>(numbers).map_err(raised)?)
+        })
+    }
+    /// The hints of a search for one item; none of other rows.
+    fn hinted<T: Number>(
+        &self,
+        py: Python<'_>,
+        row: &'static Row,
+        arguments: &[Object<'_>],
+    ) -> PyResult<Vec<f64>> {
+        let (Some(operation), false) = (row.call.operation(), row.call.is_of_paths()) else {
+            return Ok(Vec::new());
+        };
+        self.of_one_item(py, row, arguments, |numbers| {
+            let hints = operation.hints::<T>(numbers).map_err(raised)?;
+            Ok(hints.into_iter().map(T::widen).collect())
+        })
+    }
+    /// What a closure makes of the numbers of one item.
+    fn of_one_item<T: Number, X>(
+        &self,
+        py: Python<'_>,
+        row: &'static Row,
+        arguments: &[Object<'_>],
+        make: impl FnOnce(&[&[T]]) -> PyResult<X>,
+    ) -> PyResult<X> {
         let takes = &row.call.takes;
         let call = self.call(py, row, arguments, None, None)?;
         let lent = call.lent::<T>(call.given(takes)?, takes)?;
@@ -297,7 +324,7 @@ impl Verb {
         }
         let numbers = lent.iter().map(|own| own.numbers());
         let numbers = numbers.collect::<PyResult<Vec<_>>>()?;
-        form.of(&operation.replay::<T>(&numbers).map_err(raised)?)
+        make(&numbers)
     }
     /// The row of a form of two lists.
     fn row_of_pairs(
@@ -671,6 +698,24 @@ impl Verb {
             true => Program::double(self.replayed(py, row, &arguments, form)?),
             false => Program::single(self.replayed(py, row, &arguments, form)?),
         })
+    }
+    /// The hints of a search for one item, which its replay takes after the arguments: numbers that the search has found
+    /// beside its decisions. Other rows have none.
+    #[pyo3(signature = (*arguments, kind=None, to=None, double=true))]
+    fn hints(
+        &self,
+        py: Python<'_>,
+        arguments: &Bound<'_, PyTuple>,
+        kind: Option<&Object<'_>>,
+        to: Option<&Object<'_>>,
+        double: bool,
+    ) -> PyResult<Vec<f64>> {
+        let arguments = listed(arguments);
+        let row = self.row(&arguments, kind, to, "value")?;
+        match double {
+            true => self.hinted::<f64>(py, row, &arguments),
+            false => self.hinted::<f32>(py, row, &arguments),
+        }
     }
     /// A module of JavaScript that exports a form of a row, by the verb's name if none is given.
     #[pyo3(signature = (*, kind, to=None, form="value", name=None))]

@@ -300,6 +300,10 @@ class Verb(_Forms):
     __name__: str
     def program(self, *, kind: Kind, to: Kind = ..., form: Form = ..., double: bool = ...) -> Program: ...
     def replay(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., form: Form = ..., double: bool = ...) -> Program: ...
+    def replayed(self, *item: Any, kind: Kind = ..., to: Kind = ...) -> Function:
+        """A function of arrays by the decisions of a search for one item: its replay, which a card of CUDA runs, too."""
+    def hints(self, *item: Any, kind: Kind = ..., to: Kind = ..., double: bool = ...) -> list[float]:
+        """The hints of a search for one item, which its replay takes after the arguments."""
     def javascript(self, *, kind: Kind, to: Kind = ..., form: Form = ..., name: Optional[str] = ...) -> str: ...
 
 class Function(_Forms):

@@ -29,8 +29,11 @@ def text_of(node: Any, form: str, double: bool) -> str:
     try:
         program = node.base.program(form, double)
     except (TypeError, ValueError) as error:
+        other = ""
+        if getattr(node.base, "is_search", False):
+            other = f"; geograd.{node.name.partition('(')[0]}.replayed makes a function of one item's decisions, which a card runs"
         raise Unavailable(
-            f"{node.name} has no kernel for CUDA: {error}. Move its arrays to the processor, and the result back"
+            f"{node.name} has no kernel for CUDA: {error}. Move its arrays to the processor, and the result back{other}"
         ) from error
     return str(program.cuda(NAME))
 

@@ -61,6 +61,7 @@ class _Row:
         self.verb, self.kinds, self.to = getattr(geograd, verb), tuple(row["kinds"]), to
         self.takes = [(name, shape, width) for name, shape, width in row["takes"]]
         self.gives = [width for _, _, width in row["gives"]]
+        self.is_search = row["sort"] == "search"
         self.is_tuple = len(self.gives) > 1
 
     def run(self, form, arrays):

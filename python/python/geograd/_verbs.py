@@ -4,7 +4,7 @@ import inspect
 
 import numpy as np
 
-from . import _core, _points, _polygons
+from . import _core, _points, _polygons, _replays
 from ._forms import Forms
 from ._headlines import HEADLINES
 
@@ -41,6 +41,15 @@ class Verb(_core.Verb, Forms):
             return matrix
         out[...] = matrix
         return out
+
+    def replayed(self, *item, kind=None, to=None):
+        """A function of arrays by the decisions of a search for one item: its replay, which a card of CUDA runs, too.
+
+        It takes the arguments of the search, and after them `hints`, where `Verb.hints` gives some: constants, by which
+        derivatives are zero. Of items for which the search decides as for this one, it has the search's results and derivatives;
+        for another its results have no meaning, which nothing checks.
+        """
+        return _replays.of_item(self, item, kind, to)
 
     def _given(self, arguments, named):
         if named:

@@ -3,7 +3,8 @@
 ``geograd.cuda.iou(a, b, kind="Obb2")`` takes any objects with ``__cuda_array_interface__`` or DLPack, reads them where they
 are, and gives an :class:`Array`, which ``cupy.asarray`` takes without a copy. Every verb of :mod:`geograd` that is a straight
 line is here by its name, with ``value_grad``, ``vjp``, ``jvp``, ``all_pairs`` and reductions of all pairs; :func:`function`
-does the same for a function of your own. Tensors of torch have :mod:`geograd.torch`.
+does the same for a function of your own, such as a search by the decisions of one item, ``geograd.distance.replayed(*item)``.
+Searches themselves run on the processor. Tensors of torch have :mod:`geograd.torch`.
 
 ``out=`` takes results: one array, or for several a tuple or a list, with None for what is not wanted. They are in C order, in the
 format of the arguments, and share no memory with them. An error leaves them as they were. ``groups=(offsets_a, offsets_b)`` keeps

@@ -10,8 +10,9 @@ Losses: ``Loss``, ``IoULoss``, ``GIoULoss``, ``DIoULoss``, ``CIoULoss``, ``EIoUL
 ``GWDLoss``, ``KLDLoss``.
 
 Tensors on the CPU are lent to the library without a copy where they are contiguous. Those on CUDA stay there: NVRTC
-compiles the kernel that the library writes. Searches, paths and suppression need the CPU. Half precision is computed in float32 in
-losses, and in verbs under ``torch.autocast``.
+compiles the kernel that the library writes. Searches, paths and suppression need the CPU; a search decides by numbers, and
+``geograd.distance.replayed(*item)`` is a function by its decisions for one item, which :func:`function` runs on either. Half
+precision is computed in float32 in losses, and in verbs under ``torch.autocast``.
 """
 
 from __future__ import annotations
