@@ -160,6 +160,13 @@ fn elementary_functions_have_their_bits_in_c_and_cpp() {
         let results: Vec<_> = results.collect();
         let texts = [wide.c_header("wide").unwrap(), wide.c("wide").unwrap()];
         folder.add("wide", [&texts[0], &texts[1]], &inputs, &results);
+        // Above, one call computes both of an angle.
+        let apart = |[x, y]: [Sym<f64>; 2]| [x.sin(), y.cos()];
+        let apart = Program::trace(apart).unwrap();
+        let results = inputs.iter().map(|x| apart.eval([x[0], x[1]]).to_vec());
+        let results: Vec<_> = results.collect();
+        let texts = [apart.c_header("apart").unwrap(), apart.c("apart").unwrap()];
+        folder.add("apart", [&texts[0], &texts[1]], &inputs, &results);
         let single = Program::trace(elementary::<Sym<f32>>).unwrap();
         let inputs = numbers::<f32>();
         let results = inputs.iter().map(|x| single.eval([x[0], x[1]]).to_vec());
@@ -189,6 +196,13 @@ fn a_function_has_what_it_needs_and_no_more() {
     assert!(!source.contains("program_wide_exp"), "{source}");
     let far = "static __device__ __noinline__ void program_far(";
     assert!(turn.cuda("turn").unwrap().contains(far));
+    // A sine and a cosine of one angle share a call, one of them alone has its own.
+    let both = Program::trace(|v: Vec2<Sym<f64>>| v.y.cos() * v.y.sin() + v.x.sin()).unwrap();
+    let source = both.c("both").unwrap();
+    assert_eq!(source.matches("(program_sin_cos(").count(), 1, "{source}");
+    assert_eq!(source.matches("= program_sin(").count(), 1, "{source}");
+    assert!(!source.contains("program_cos("), "{source}");
+    assert!(!both.cuda("both").unwrap().contains("program_sin_cos"));
     for name in [
         "int",
         "float",

@@ -4,11 +4,13 @@
 //! Elementary functions are the formulas of `src/scalar/`, recorded as programs and printed. A compiler must not
 //! contract products and sums (`-ffp-contract=off`, which `-std=c99` implies in GCC; `--fmad=false` for CUDA).
 use super::blocks::{Block, Functions, elementary, needed, wrapped};
-use super::graph::{Format, Node};
+use super::graph::{Format, Graph, Id, Node};
+use super::record::graph_of;
 use super::recorded::Recorded;
 use super::source::{self, Dialect, expression, lines};
 use crate::Unrecordable;
-use crate::scalar::float::REDUCED;
+use crate::scalar::float::{REDUCED, sin_cos_reduced};
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::sync::LazyLock;
 
@@ -150,11 +152,20 @@ fn body(
 ) {
     let (graph, outputs) = (&recorded.value.graph, &recorded.value.outputs);
     let (kind, takes, gives) = (type_of(graph.format), recorded.inputs, outputs.len());
+    // A kernel of CUDA calls either function: its compiler joins what they share.
+    let turned = match (language, graph.format) {
+        (Language::C, Format::F64) => turned(graph),
+        _ => BTreeMap::new(),
+    };
+    let mut code = String::new();
+    for angle in turned.keys() {
+        let _ = writeln!(code, "    double turned{angle}[2];");
+    }
     let dialect = C {
         format: graph.format,
         takes: &[],
+        turned,
     };
-    let mut code = String::new();
     let known = lines(&dialect, graph, &mut code);
     for (i, &x) in outputs.iter().enumerate() {
         let _ = writeln!(code, "    out[{i}] = {};", known[x as usize]);
@@ -196,6 +207,41 @@ fn body(
     }
 }
 
+/// Returns the angles that have a sine and a cosine, each with the first node of the two.
+fn turned(graph: &Graph) -> BTreeMap<Id, Id> {
+    let mut first = BTreeMap::new();
+    let mut both = BTreeMap::new();
+    for (id, &node) in (0..).zip(graph.nodes()) {
+        if let Node::Sin(angle) | Node::Cos(angle) = node {
+            match first.get(&angle) {
+                Some(&earlier) => _ = both.insert(angle, earlier),
+                None => _ = first.insert(angle, id),
+            }
+        }
+    }
+    both
+}
+
+/// Returns the function of a sine and a cosine at once, which share most of their operations.
+fn sine_and_cosine() -> String {
+    let recorded = graph_of(Format::F64, 1, &|x| {
+        let (sine, cosine) = sin_cos_reduced(x[0]);
+        vec![sine, cosine]
+    });
+    let (graph, outputs) = match recorded {
+        Ok(made) => made,
+        Err(_) => unreachable!("the formulas of scalars are straight lines"),
+    };
+    let mut code = String::new();
+    let known = lines(&C::dialect(&["x"]), &graph, &mut code);
+    let [sine, cosine] = [0, 1].map(|k: usize| &known[outputs[k] as usize]);
+    format!(
+        "// The sine and the cosine.\nstatic void program_sin_cos(double x, double out[2]) {{\n\
+         \x20   if (!(fabs(x) <= {REDUCED:?})) {{\n        program_far(x, out);\n        return;\n    }}\n\
+         {code}    out[0] = {sine};\n    out[1] = {cosine};\n}}"
+    )
+}
+
 /// Returns all declarations that programs may need, each after those that it needs.
 fn prelude(language: Language, format: Format) -> &'static [Block] {
     static ALL: LazyLock<[Vec<Block>; 4]> = LazyLock::new(|| {
@@ -223,6 +269,7 @@ fn prelude(language: Language, format: Format) -> &'static [Block] {
                 split(include_str!("wide.c")),
                 split(simple),
                 elementary::<C<'_>>(format),
+                vec![sine_and_cosine()],
                 split(parts),
             ];
             let blocks = texts.into_iter().flatten();
@@ -242,13 +289,20 @@ fn declared(line: &str) -> Option<&str> {
 struct C<'a> {
     format: Format,
     takes: &'a [&'a str],
+    /// The angles whose sine and cosine one call computes, each with the first node of the two.
+    turned: BTreeMap<Id, Id>,
 }
 
 impl Functions for C<'_> {
     type Of = C<'static>;
     fn dialect(takes: &'static [&'static str]) -> C<'static> {
         let format = Format::F64;
-        C { format, takes }
+        let turned = BTreeMap::new();
+        C {
+            format,
+            takes,
+            turned,
+        }
     }
     fn head(name: &str, takes: &[&str]) -> String {
         let takes: Vec<_> = takes.iter().map(|name| format!("double {name}")).collect();
@@ -323,8 +377,15 @@ impl Dialect for C<'_> {
             None => format!("x[{place}]"),
         }
     }
-    fn value(&self, _id: usize, node: Node, known: &[String]) -> String {
+    fn value(&self, id: usize, node: Node, known: &[String]) -> String {
         match node {
+            Node::Sin(x) | Node::Cos(x) if self.turned.contains_key(&x) => {
+                let own = format!("turned{x}[{}]", u8::from(matches!(node, Node::Cos(_))));
+                match self.turned[&x] as usize == id {
+                    true => format!("(program_sin_cos({}, turned{x}), {own})", known[x as usize]),
+                    false => own,
+                }
+            }
             Node::Bool(truth) => u8::from(truth).to_string(),
             Node::Canonical(x) => format!("{} + {}", known[x as usize], self.shares()[0]),
             _ => expression(self, node, known),
