@@ -149,6 +149,14 @@ def test_nan_is_kept_and_empty_arrays_are_empty(interpreted):
     assert len(A) == 3 and np.isnan(iou(a, B)).tolist() == [False, True, False]
     (by,) = jax.grad(lambda a: iou(a, B).sum(), (0,))(jnp.asarray(a))
     assert np.isnan(by).all(1).tolist() == [False, True, False]
+
+    @geograd.function
+    def chosen(x: float, y: float):
+        return geograd.where(x < 1, y, 2.0)
+
+    # Whatever the operations make of it.
+    x, y = np.array([0.0, np.nan, 3.0]), np.array([1.0, 1.0, np.nan])
+    assert np.isnan(geograd.jax.function(chosen)(x, y)).tolist() == [False, True, True]
     assert iou(A[:0], B[:0]).shape == (0,) and iou(A[0], B[0]).shape == () and interpreted == []
 
 
