@@ -21,18 +21,16 @@ pub(crate) fn lengths<T: Real>(vertices: &[Vec2<T>], offsets: &[usize], out: &mu
     let sound = AtomicBool::new(true);
     in_parallel(work, |(offsets, values): (&[usize], &mut [T])| {
         let own = offsets[0]..offsets[values.len()];
-        let own = numbers(&vertices[own]);
-        if (kernels_in::<T>().all_finite)(&own) {
-            sum_up(&own, offsets, values);
-        } else {
+        if !sum_up(&numbers(&vertices[own]), offsets, values) {
             sound.store(false, Ordering::Relaxed);
         }
     });
     sound.into_inner()
 }
 
-/// Writes the sums of the distances within each polyline. `vertices` has the numbers of these polylines alone.
-fn sum_up<T: Real>(vertices: &[T], offsets: &[usize], out: &mut [T]) {
+/// Writes the sums of the distances within each polyline. `vertices` has the numbers of these polylines alone. Returns
+/// `false` if one is not finite.
+fn sum_up<T: Real>(vertices: &[T], offsets: &[usize], out: &mut [T]) -> bool {
     let (base, count) = (offsets[0], vertices.len() / 2);
     let mut room = [T::default(); ROOM];
     // The edges whose lengths are in the room; those between two polylines belong to none.
@@ -53,6 +51,13 @@ fn sum_up<T: Real>(vertices: &[T], offsets: &[usize], out: &mut [T]) {
             }
             at = stop;
         }
+        // A sum of finite distances says that their vertices are finite; a lone vertex has none.
+        let own = 2 * (ends[0] - base)..2 * (ends[1] - base);
+        let is_known = own.len() > 2 && sum.finite();
+        if !is_known && !(kernels_in::<T>().all_finite)(&vertices[own]) {
+            return false;
+        }
         *out = sum.saturated().canonical();
     }
+    true
 }

@@ -246,8 +246,16 @@ pub(crate) fn bars<T: Real, V: Vector<T>>(
 }
 
 /// Writes the distance of every vertex from the one before: one number less than vertices.
+///
+/// Squares of ordinary numbers need no scale: it is a power of two, so that results have the bits of
+/// [`length`](Vec2::length) without it.
 #[inline(always)]
 pub(crate) fn edge_lengths<T: Real, V: Vector<T>>(vertices: &[T], out: &mut [T]) {
+    // Squares of such numbers are normal, and smaller ones beside them change no digit.
+    let (small, large) = (
+        V::splat(T::largest_to(-0.25)),
+        V::splat(T::largest_to(0.25)),
+    );
     let (mut whole, mut first) = (out.chunks_exact_mut(V::WIDTH), 0);
     for out in whole.by_ref() {
         let own = &vertices[2 * first..][..2 * V::WIDTH + 2];
@@ -260,7 +268,13 @@ pub(crate) fn edge_lengths<T: Real, V: Vector<T>>(vertices: &[T], out: &mut [T])
         );
         let mut lane = Lane([T::default(); TILE]);
         let along = Vec2::new(next_x, next_y) - Vec2::new(x, y);
-        along.length().write(&mut lane, 0);
+        let most = along.x.unsigned().most(along.y.unsigned());
+        let is_ordinary = small.below(most) & most.below(large);
+        let length = match is_ordinary.all() {
+            true => along.length_squared().root(),
+            false => along.length(),
+        };
+        length.write(&mut lane, 0);
         out.copy_from_slice(&lane.0[..V::WIDTH]);
         first += V::WIDTH;
     }

@@ -2,7 +2,7 @@
 //! in order.
 mod near_edges;
 pub(crate) mod paths;
-mod windings;
+mod point_values;
 
 use crate::error::Field;
 use crate::kernels::call::folding::{FoldPrograms, Folding, Sizes, backwards};
@@ -20,6 +20,7 @@ use crate::kernels::row::item::{Leaf, Quick, STRETCH, Target};
 use crate::kernels::row::once::Key;
 use crate::{Error, Real};
 use paths::{Paths, first_flaw, paths, told};
+use point_values::point_values;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -36,6 +37,9 @@ pub fn values<T: Real>(folding: &Folding<T>, input: &Input<'_, T>) -> Result<Vec
     }
     check(folding, input)?;
     let (sizes, programs) = (&folding.sizes, (folding.programs)()?);
+    if sizes.winding.is_some() {
+        return point_values(folding, &programs, input);
+    }
     let paths = paths(folding, input)?;
     let states = states(sizes, &programs, &paths)?;
     let mut out = vec![T::default(); input.spans.count() * sizes.out];
@@ -44,22 +48,31 @@ pub fn values<T: Real>(folding: &Folding<T>, input: &Input<'_, T>) -> Result<Vec
         .enumerate()
         .collect();
     in_parallel(work, |(i, out): (usize, &mut [T])| {
-        let mut state = vec![T::default(); sizes.state];
-        for (k, out) in out.chunks_exact_mut(sizes.out).enumerate() {
-            let path = i * STRETCH + k;
-            (folding.joined)(told(sizes, &paths, &states, path), &mut state);
-            sizes.wind(&mut state, paths.windings[path]);
-            (folding.finish)(
-                &paths.shared[path * sizes.wide..][..sizes.wide],
-                &state,
-                out,
-            );
-            for x in out {
-                *x = x.canonical();
-            }
-        }
+        finished(folding, &paths, &states, i * STRETCH, out);
     });
     Ok(out)
+}
+
+/// Writes the results of paths from the one called `first` on, from the states of their edges.
+fn finished<T: Real>(
+    folding: &Folding<T>,
+    paths: &Paths<'_, T>,
+    states: &[T],
+    first: usize,
+    out: &mut [T],
+) {
+    let sizes = &folding.sizes;
+    let mut state = vec![T::default(); sizes.state];
+    for (k, out) in out.chunks_exact_mut(sizes.out).enumerate() {
+        let path = first + k;
+        (folding.joined)(told(sizes, paths, states, path), &mut state);
+        sizes.wind(&mut state, paths.windings[path]);
+        let shared = &paths.shared[path * sizes.wide..][..sizes.wide];
+        (folding.finish)(shared, &state, out);
+        for x in out {
+            *x = x.canonical();
+        }
+    }
 }
 
 /// Returns the cotangents of every context and every vertex from the results' cotangents.

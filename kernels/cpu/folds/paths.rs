@@ -1,10 +1,9 @@
 //! The edges of paths to fold.
-use super::near_edges::sieved;
-use super::windings::wound;
+use super::near_edges::{NearEdges, NearSearch};
 use crate::error::{Argument, Flaw};
 use crate::kernels::call::folding::{Folding, Sizes};
-use crate::kernels::machine::Column;
-use crate::kernels::machine::Input;
+use crate::kernels::cpu::work::in_parallel;
+use crate::kernels::machine::{Column, Input, PathSpans};
 use crate::{Error, Fixed, Real, Vec2};
 use std::ops::Range;
 
@@ -35,7 +34,7 @@ pub(crate) fn paths<'a, T: Real>(
         edges: Vec::new(),
         starts: vec![0],
         shared: vec![T::default(); spans.count() * sizes.wide],
-        windings: vec![None; spans.count()],
+        windings: Vec::new(),
     };
     let (mut room, mut context) = (Vec::new(), Vec::new());
     let mut points = Vec::new();
@@ -54,28 +53,64 @@ pub(crate) fn paths<'a, T: Real>(
             None => {
                 let count = sizes.edges(bounds.len());
                 paths.add(path, bounds, 0..count);
+                paths.windings.push(None);
             }
         }
     }
     if sizes.winding.is_some() {
-        let found = match sizes.is_winding {
-            true => wound(&points, input.plane, spans),
-            false => sieved(&points, input.plane, spans, sizes.closed),
-        };
-        let mut path = 0;
-        for piece in found.ok_or_else(|| first_flaw(folding, &input.vertices))? {
-            let mut rest = piece.edges.iter().map(|&k| k as usize);
-            for (count, winding) in piece.counts {
-                paths.add(path, spans.of(path), rest.by_ref().take(count));
-                paths.windings[path] = winding;
-                path += 1;
+        let flaw = || first_flaw(folding, &input.vertices);
+        let search = NearSearch::new(sizes, input.plane, spans).ok_or_else(flaw)?;
+        let cuts = search.cuts();
+        let mut pieces: Vec<NearEdges<T>> = Vec::new();
+        pieces.resize_with(cuts.len().saturating_sub(1), NearEdges::default);
+        let work = cuts.windows(2).zip(&mut pieces).collect();
+        in_parallel(work, |(cut, piece): (&[usize], &mut NearEdges<T>)| {
+            let own = cut[0]..cut[1];
+            *piece = search.piece(&points[own.clone()], own);
+        });
+        let mut first = 0;
+        for piece in pieces {
+            if piece.unsound {
+                return Err(flaw());
             }
+            let count = piece.counts.len();
+            paths.add_found(first, spans, piece);
+            first += count;
         }
     }
     Ok(paths)
 }
 
 impl<T: Real> Paths<'_, T> {
+    /// Creates a list of some paths from the numbers of their points, and the edges that a search found.
+    pub(super) fn of_found<'a>(
+        vertices: &'a [T],
+        first: usize,
+        spans: PathSpans<'_>,
+        points: &[T],
+        found: NearEdges<T>,
+    ) -> Paths<'a, T> {
+        let mut paths = Paths {
+            vertices,
+            element: 2,
+            edges: Vec::with_capacity(found.edges.len()),
+            starts: Vec::with_capacity(found.counts.len() + 1),
+            shared: points.to_vec(),
+            windings: Vec::with_capacity(found.counts.len()),
+        };
+        paths.starts.push(0);
+        paths.add_found(first, spans, found);
+        paths
+    }
+    /// Adds the edges that a search found of paths from the one called `first` on.
+    fn add_found(&mut self, first: usize, spans: PathSpans<'_>, found: NearEdges<T>) {
+        let mut rest = found.edges.iter().map(|&k| k as usize);
+        for (k, (count, winding)) in found.counts.into_iter().enumerate() {
+            let path = self.windings.len();
+            self.add(path, spans.of(first + k), rest.by_ref().take(count));
+            self.windings.push(winding);
+        }
+    }
     /// Adds edges of the next path, whose vertices lie between two bounds.
     fn add(&mut self, path: usize, bounds: Range<usize>, edges: impl Iterator<Item = usize>) {
         for k in edges {
