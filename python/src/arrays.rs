@@ -426,12 +426,21 @@ pub fn offsets(py: Python<'_>, x: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec
             "{name}: a list of whole numbers is needed, not an array of {dtype} with {axes} axes"
         )));
     }
-    let whole = array.call_method1("astype", (numpy::dtype::<i64>(py),))?;
-    let whole = whole.cast_into::<PyArray1<i64>>()?;
-    let whole = whole.readonly();
-    let offset = |(item, &x): (usize, &i64)| {
-        usize::try_from(x)
-            .map_err(|_| PyValueError::new_err(format!("{name}: offset {item} is negative")))
+    let whole = match array.cast::<PyArray1<i64>>() {
+        Ok(whole) if whole.is_c_contiguous() => whole.clone(),
+        _ => array
+            .call_method1("astype", (numpy::dtype::<i64>(py),))?
+            .cast_into::<PyArray1<i64>>()?,
     };
-    whole.as_array().iter().enumerate().map(offset).collect()
+    let whole = whole.readonly();
+    let whole = whole
+        .as_slice()
+        .map_err(|error| PyValueError::new_err(error.to_string()))?;
+    if let Some(item) = whole.iter().position(|&x| x < 0) {
+        return Err(PyValueError::new_err(format!(
+            "{name}: offset {item} is negative"
+        )));
+    }
+    // None is negative, and no address has more bits than a pointer.
+    Ok(whole.iter().map(|&x| x as usize).collect())
 }

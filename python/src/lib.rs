@@ -20,6 +20,7 @@ mod polygon_calls;
 mod polygon_points;
 mod polygons;
 mod samples;
+mod separation;
 mod shapes;
 mod suppressed;
 mod symbol;
@@ -85,6 +86,8 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_function(wrap_pyfunction!(polygon_calls::polygon_pairs, m)?)?;
     m.add_function(wrap_pyfunction!(polygon_points::polygon_distance, m)?)?;
     m.add_function(wrap_pyfunction!(polygon_points::polygon_contains, m)?)?;
+    m.add_function(wrap_pyfunction!(separation::nearest_edges, m)?)?;
+    m.add_function(wrap_pyfunction!(separation::polygons_hold, m)?)?;
     m.add_function(wrap_pyfunction!(overlay::polygon_overlay, m)?)?;
     m.add_function(wrap_pyfunction!(overlay::polygon_union_all, m)?)?;
     m.add_function(wrap_pyfunction!(samples::samples, m)?)?;

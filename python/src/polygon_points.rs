@@ -1,9 +1,11 @@
 //! Points and polygons: distances, and what contains what.
 use crate::polygon_calls::{Bars, fill, in_format, in_runs, numbers, place, together};
 use crate::polygons::{Format, Polygons, rows, vectors};
-use geograd::Vec2;
+use crate::raised;
 use geograd::ad::adjoint::polygon as adjoint;
+use geograd::error::{Argument, Validate};
 use geograd::polygon::{Fill, Slabs};
+use geograd::{Error, Vec2};
 use numpy::{PyArray1, PyArrayDyn};
 use pyo3::prelude::*;
 
@@ -49,17 +51,26 @@ fn distanced<'py, T: Format>(
             own.layout.item(&vertices, place(of_polygons, i)),
         )
     };
-    let known = |point: Vec2<T>, distance: T| match point.is_finite() {
-        false => T::narrowed(f64::NAN),
-        true if is_of_area && distance < zero => zero,
-        true => distance,
+    for (item, point) in points.iter().enumerate() {
+        // As the rows of a verb refuse a point.
+        point.validate().map_err(|flaw| {
+            raised(Error::Invalid {
+                argument: Argument::Named("point"),
+                item,
+                flaw,
+            })
+        })?;
+    }
+    let known = |distance: T| match is_of_area && distance < zero {
+        true => zero,
+        false => distance,
     };
     let mean = vertices.len() / of_polygons.max(1);
     let work = count.saturating_mul(mean + 1);
     let Some(upstream) = upstream else {
         let runs = in_runs(py, count, work, |run| {
             let values = run.map(pair);
-            let values = values.map(|(at, rings)| known(at, rings.signed_distance(at, fill)));
+            let values = values.map(|(at, rings)| known(rings.signed_distance(at, fill)));
             values.collect::<Vec<T>>()
         })?;
         return Ok(PyArray1::from_vec(py, runs.concat()).into_any());
@@ -73,13 +84,13 @@ fn distanced<'py, T: Format>(
             let mut by_point = Vec2::zero();
             let value = rings.signed_distance(at, fill);
             // Inside of an area the distance from it is flat.
-            if at.is_finite() && !(is_of_area && value < zero) {
+            if !(is_of_area && value < zero) {
                 let item = place(of_polygons, i);
                 let into = bars.added(own, item);
                 adjoint::signed_distance_vjp(at, rings, fill, upstream[i], &mut by_point, into);
             }
             by_points.push(by_point);
-            values.push(known(at, value));
+            values.push(known(value));
         }
         (values, by_points, bars)
     })?;

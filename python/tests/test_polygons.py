@@ -345,10 +345,12 @@ def test_the_union_of_a_column():
     assert shapely.is_valid(made.to_shapely()).all()
 
 
-def test_a_point_that_is_no_number_is_nowhere():
+def test_a_point_that_is_no_number_is_nowhere_and_has_no_distance():
     p = Polygons.of([box(0, 0, 1, 1)])
-    points = np.array([[np.nan, 0], [np.inf, 0], [0.5, 0.5]])
-    assert np.isnan(geograd.distance(points, p)).tolist() == [True, True, False]
+    points = np.array([[0.5, 0.5], [0, np.nan], [np.inf, 0]])[[1, 2, 0]]
+    for verb in (geograd.distance, geograd.signed_distance):
+        with pytest.raises(ValueError, match="`point` item 1: y is not a finite number"):
+            verb(points[[2, 0]], p)
     assert geograd.contains(p, points).tolist() == [False, False, True]
     none = Polygons.of([shapely.Polygon()])
     assert not geograd.contains(none, [0.0, 0.0])[0] and geograd.area(none) == [0] and geograd.length(none) == [0]

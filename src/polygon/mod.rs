@@ -13,6 +13,7 @@
 //!   are inside.
 //!
 //! The vertices of all rings are numbered one ring after the other: so are their cotangents.
+mod edge_boxes;
 mod located;
 mod measure;
 mod parts;
@@ -20,6 +21,7 @@ mod sides;
 pub(crate) mod slabs;
 
 pub use crate::distance::ring::Fill;
+pub use edge_boxes::{EdgeBoxes, NearestEdges, distance};
 pub use measure::{area, centroid, perimeter, second_moments, signed_area};
 pub use parts::{Polygon, Rings};
 pub use sides::Sides;

@@ -16,8 +16,6 @@ CORNERS = {
 }
 #: Those that are a path of a width: the place of its half.
 RADII = {"Capsule2": 4, "Circle": 2}
-#: How many pairs of edges are looked at together.
-PAIRS = 1 << 18
 _KIND = ("Segment2", "Segment2")
 
 
@@ -61,16 +59,6 @@ class Outline:
         """The ends of edges, of shape (E, 4)."""
         return np.concatenate([self.vertices[edges], self.vertices[self.following[edges]]], 1)
 
-    def bounds(self):
-        """The least and the largest coordinates of each item; of one without edges they are infinite."""
-        low = np.full((len(self), 2), np.inf, self.vertices.dtype)
-        high = -low
-        full = self.ends[:-1] < self.ends[1:]
-        if full.any():
-            low[full] = np.minimum.reduceat(self.vertices, self.ends[:-1][full])
-            high[full] = np.maximum.reduceat(self.vertices, self.ends[:-1][full])
-        return low, high
-
 
 def _refused(shape, kind, rows):
     """Raises the error of a shape that is none."""
@@ -98,101 +86,11 @@ def outline(x):
     return None
 
 
-def _ranges(starts, counts):
-    """The whole numbers of ranges, one range after the other."""
-    ends = np.cumsum(counts)
-    return np.arange(ends[-1] if len(ends) else 0) + np.repeat(starts - ends + counts, counts)
-
-
-def _gaps(low, high, other_low, other_high):
-    """The distances of boxes."""
-    return np.hypot(*np.maximum(np.maximum(low - other_high, other_low - high), 0).T)
-
-
-def _least(a, b, rows, edges, starts, counts):
-    """For each edge of `a` the nearest of some edges of `b`, a range of a list of these: distances, places in the list."""
-    import geograd
-
-    found, places = np.full(len(edges), np.inf, a.vertices.dtype), np.zeros(len(edges), np.int64)
-    whole = np.cumsum(counts)
-    at = 0
-    while at < len(edges):
-        # One edge at least, however many there are of the other.
-        end = max(at + 1, int(np.searchsorted(whole, (whole[at - 1] if at else 0) + PAIRS, "right")))
-        own = counts[at:end]
-        if own.sum():
-            others = _ranges(starts[at:end], own)
-            pairs = a.segments(np.repeat(edges[at:end], own)), b.segments(rows[others])
-            values = geograd.distance(*pairs, kind=_KIND)
-            full = np.flatnonzero(own)
-            low = np.minimum.reduceat(values, (np.cumsum(own) - own)[full])
-            found[at:end][full] = low
-            least = np.flatnonzero(values == np.repeat(low, own[full]))
-            of = np.repeat(full, own[full])[least]
-            # The first of equal ones: assignments in reverse order leave it.
-            places[at:end][of[::-1]] = others[least[::-1]]
-        at = end
-    return found, places
-
-
 def nearest(a, b, count):
     """The nearest edges of two outlines, item by item: distances, and a place of each; infinite without edges."""
-    is_one_a, is_one_b = (len(own) == 1 and count != 1 for own in (a, b))
-    of = lambda own, is_one: np.zeros(count, np.int64) if is_one else np.arange(count)
-    item_a, item_b = of(a, is_one_a), of(b, is_one_b)
-    distance = np.full(count, np.inf, a.vertices.dtype)
-    edge_a, edge_b = np.zeros(count, np.int64), np.zeros(count, np.int64)
-    (low_a, high_a), (low_b, high_b) = a.bounds(), b.bounds()
-
-    def edges(own, items, low, high):
-        """Edges of items, the row of each, and its distance from the bounds of the other item."""
-        counts = (own.ends[1:] - own.ends[:-1])[items]
-        all_edges, rows = _ranges(own.ends[:-1][items], counts), np.repeat(np.arange(count), counts)
-        p, q = own.vertices[all_edges], own.vertices[own.following[all_edges]]
-        return all_edges, rows, _gaps(np.minimum(p, q), np.maximum(p, q), low[rows], high[rows])
-
-    with np.errstate(invalid="ignore", over="ignore"):
-        edges_a, rows_a, gaps_a = edges(a, item_a, low_b[item_b], high_b[item_b])
-        edges_b, rows_b, gaps_b = edges(b, item_b, low_a[item_a], high_a[item_a])
-
-    def search(own, least):
-        """Looks at edges of `a` whose gap is at most `least` of their row, with those of `b` for which that holds."""
-        chosen = np.flatnonzero(gaps_b <= least[rows_b])
-        list_b = edges_b[chosen]
-        ends = np.concatenate([[0], np.cumsum(np.bincount(rows_b[chosen], minlength=count))])
-        own = own[gaps_a[own] <= least[rows_a[own]]]
-        rows = rows_a[own]
-        values, places = _least(a, b, list_b, edges_a[own], ends[:-1][rows], (ends[1:] - ends[:-1])[rows])
-        # Rows are in order, so that those that have edges here start where they change.
-        if len(own):
-            starts = np.flatnonzero(np.concatenate([[True], rows[1:] != rows[:-1]]))
-            low = np.minimum.reduceat(values, starts)
-            is_least = np.flatnonzero(values == np.repeat(low, np.diff(np.append(starts, len(own)))))[::-1]
-            better = is_least[values[is_least] < distance[rows[is_least]]]
-            distance[rows[better]] = values[better]
-            edge_a[rows[better]] = edges_a[own][better]
-            edge_b[rows[better]] = list_b[places[better]]
-
-    # The edge of `a` nearest to the bounds of `b` gives a bound, which leaves out most others.
-    if len(edges_a) and len(edges_b):
-        order = np.lexsort((gaps_a, rows_a))
-        first = order[np.concatenate([[True], np.diff(rows_a[order]) > 0])]
-        search(np.sort(first), np.full(count, np.inf))
-        search(np.arange(len(edges_a)), distance.copy())
-    return distance, edge_a, edge_b
-
-
-def _holds(area, own, rows, count):
-    """Whether an item's area has a vertex of a ring of another outline, for rows whose edges do not meet."""
-    found = np.zeros(len(rows), bool)
-    items = np.zeros_like(rows) if len(own) == 1 and count != 1 else rows
-    counts = (own.rings[1:] - own.rings[:-1])[items]
-    for k in range(int(counts.max(initial=0))):
-        left = np.flatnonzero(~found & (counts > k))
-        points = np.ascontiguousarray(own.vertices[own.starts[own.rings[:-1][items[left]] + k]])
-        some = area if len(area) == 1 else area._chosen(rows[left].tolist())
-        found[left] = _core.polygon_contains(points, some, "even_odd")
-    return found
+    dtype = np.result_type(a.vertices, b.vertices)
+    lists = [(np.ascontiguousarray(own.vertices, dtype), own.following, own.ends) for own in (a, b)]
+    return _core.nearest_edges(*lists, count)
 
 
 def separated(a, b):
@@ -207,7 +105,7 @@ def separated(a, b):
     apart = np.flatnonzero((distance > 0) & np.isfinite(distance))
     for area, own in ((a.area, b), (b.area, a)):
         if area is not None and len(apart):
-            held = _holds(area, own, apart, count)
+            held = _core.polygons_hold(area, own.vertices[own.starts], own.rings, apart)
             distance[apart[held]] = 0
             apart = apart[~held]
     # As the distance of a point from a polygon without parts.

@@ -7,6 +7,7 @@ mod cases;
 mod cut;
 pub mod exact;
 mod iou;
+mod nearest_edges;
 mod overlap;
 mod published;
 mod rings;

@@ -1,0 +1,168 @@
+//! The nearest edges of two columns of figures of the plane, item by item, and which areas hold which rings.
+use crate::arrays::offsets;
+use crate::polygon_calls::{in_format, in_runs, place};
+use crate::polygons::{Format, Polygons, vectors};
+use geograd::Vec2;
+use geograd::polygon::{EdgeBoxes, Fill};
+use numpy::{PyArray1, PyArrayDyn};
+use pyo3::exceptions::PyIndexError;
+use pyo3::prelude::*;
+use std::ops::Range;
+
+type Object<'py> = Bound<'py, PyAny>;
+
+/// Edges of figures: the vertices, for each one the vertex after it, and the number of vertices up to each figure.
+#[derive(FromPyObject)]
+pub struct EdgeColumn<'py>(Object<'py>, Object<'py>, Object<'py>);
+
+/// The numbers of such a column.
+struct EdgeLists<T> {
+    vertices: Vec<Vec2<T>>,
+    following: Vec<usize>,
+    ends: Vec<usize>,
+}
+
+impl<T: Format> EdgeLists<T> {
+    fn new(py: Python<'_>, of: &EdgeColumn<'_>) -> PyResult<Self> {
+        let vertices = vectors::<T>(&of.0)?;
+        let following = offsets(py, &of.1, "following")?;
+        let ends = offsets(py, &of.2, "ends")?;
+        let is_known = following.len() == vertices.len()
+            && following.iter().all(|&next| next < vertices.len())
+            && ends.is_sorted()
+            && ends.last() == Some(&vertices.len());
+        match is_known {
+            true => Ok(EdgeLists {
+                vertices,
+                following,
+                ends,
+            }),
+            false => Err(PyIndexError::new_err("an edge without a vertex")),
+        }
+    }
+    fn len(&self) -> usize {
+        self.ends.len() - 1
+    }
+    fn edges(&self, item: usize) -> impl Iterator<Item = [Vec2<T>; 2]> {
+        let own = self.ends[item]..self.ends[item + 1];
+        own.map(|k| [self.vertices[k], self.vertices[self.following[k]]])
+    }
+}
+
+/// For each item the distance of its nearest edges, infinite without edges, and the first vertex of each of both.
+#[pyfunction]
+pub fn nearest_edges<'py>(
+    py: Python<'py>,
+    a: EdgeColumn<'py>,
+    b: EdgeColumn<'py>,
+    count: usize,
+) -> PyResult<Object<'py>> {
+    let is_double = a.0.cast::<PyArrayDyn<f64>>().is_ok();
+    in_format!(is_double, nearest(py, &a, &b, count))
+}
+
+fn nearest<'py, T: Format>(
+    py: Python<'py>,
+    a: &EdgeColumn<'py>,
+    b: &EdgeColumn<'py>,
+    count: usize,
+) -> PyResult<Object<'py>> {
+    let both = [EdgeLists::<T>::new(py, a)?, EdgeLists::<T>::new(py, b)?];
+    if let Some(own) = both.iter().find(|own| own.len() != count && own.len() != 1) {
+        let why = format!("{} items where {count} are needed", own.len());
+        return Err(PyIndexError::new_err(why));
+    }
+    // One item that stands for all is sorted once.
+    let shared = both
+        .each_ref()
+        .map(|own| match own.len() == 1 && count != 1 {
+            true => Some(EdgeBoxes::of_edges(own.edges(0))),
+            false => None,
+        });
+    let work = both.iter().map(|own| own.vertices.len().max(count)).sum();
+    let runs = in_runs(py, count, work, |run: Range<usize>| {
+        let mut found = (Vec::new(), Vec::new(), Vec::new());
+        let mut rooms = [EdgeBoxes::default(), EdgeBoxes::default()];
+        for item in run {
+            for ((room, own), shared) in rooms.iter_mut().zip(&both).zip(&shared) {
+                if shared.is_none() {
+                    room.replace(own.edges(item));
+                }
+            }
+            let [p, q] = [0, 1].map(|k| shared[k].as_ref().unwrap_or(&rooms[k]));
+            let nearest = p.nearest(q);
+            found
+                .0
+                .push(nearest.map_or(T::narrowed(f64::INFINITY), |own| own.distance));
+            let [of_a, of_b] = nearest.map_or([0; 2], |own| {
+                [0, 1].map(|k| (both[k].ends[place(both[k].len(), item)] + own.edges[k]) as i64)
+            });
+            found.1.push(of_a);
+            found.2.push(of_b);
+        }
+        found
+    })?;
+    let (mut distances, mut of_a, mut of_b) = (Vec::new(), Vec::new(), Vec::new());
+    for (distance, a, b) in runs {
+        distances.extend(distance);
+        of_a.extend(a);
+        of_b.extend(b);
+    }
+    let arrays = (
+        PyArray1::from_vec(py, distances),
+        PyArray1::from_vec(py, of_a),
+        PyArray1::from_vec(py, of_b),
+    );
+    Ok(arrays.into_pyobject(py)?.into_any())
+}
+
+/// For some items whether a polygon has the first vertex of a ring of another figure inside: `firsts` are these vertices,
+/// `rings` the number of rings up to each figure.
+#[pyfunction]
+pub fn polygons_hold<'py>(
+    py: Python<'py>,
+    polygons: &Polygons,
+    firsts: &Object<'py>,
+    rings: &Object<'py>,
+    items: &Object<'py>,
+) -> PyResult<Object<'py>> {
+    let is_double = polygons.is_double() || firsts.cast::<PyArrayDyn<f64>>().is_ok();
+    in_format!(is_double, held(py, polygons, firsts, rings, items))
+}
+
+fn held<'py, T: Format>(
+    py: Python<'py>,
+    own: &Polygons,
+    firsts: &Object<'py>,
+    rings: &Object<'py>,
+    items: &Object<'py>,
+) -> PyResult<Object<'py>> {
+    let (vertices, firsts) = (T::of(&own.vertices), vectors::<T>(firsts)?);
+    let rings = offsets(py, rings, "rings")?;
+    let items = offsets(py, items, "items")?;
+    let (areas, others) = (own.layout.len(), rings.len().saturating_sub(1));
+    let most = items.iter().max().map_or(0, |most| most + 1);
+    let is_known = [areas, others]
+        .iter()
+        .all(|&count| count == 1 || count >= most)
+        && rings.is_sorted()
+        && rings.last() == Some(&firsts.len());
+    if !is_known {
+        return Err(PyIndexError::new_err("a ring without an item"));
+    }
+    let work = vertices.len().max(items.len());
+    let runs = in_runs(py, items.len(), work, |run| {
+        let inside = items[run].iter().map(|&item| {
+            let area = own.layout.item(&vertices, place(areas, item));
+            let other = place(others, item);
+            let firsts = &firsts[rings[other]..rings[other + 1]];
+            let bounds = area.bounding();
+            let near = firsts
+                .iter()
+                .filter(|v| bounds.is_some_and(|own| own.contains(**v)));
+            near.into_iter().any(|&v| area.contains(v, Fill::EvenOdd))
+        });
+        inside.collect::<Vec<bool>>()
+    })?;
+    Ok(PyArray1::from_vec(py, runs.concat()).into_any())
+}

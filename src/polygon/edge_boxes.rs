@@ -1,0 +1,298 @@
+//! The edges of two polygons that are nearest to each other, by boxes around stretches of edges.
+use super::{Fill, Rings};
+use crate::distance::distance as between;
+use crate::shape::edges;
+use crate::{Scalar, Segment2, Vec2};
+
+/// The number of edges in a leaf, and of boxes in a larger one.
+const FEW: usize = 4;
+/// A bound of the rounding errors of the distance of two edges, in units of ε times the largest difference of two of
+/// their coordinates: eight products and quotients of a few roundings each.
+const SLACK: f64 = 64.0;
+
+/// The ends of a box: the least and the largest `x`, then those of `y`.
+type Ends = [[f64; 2]; 2];
+
+/// Edges with boxes around stretches of them, for distances from other edges. Neighbours in the list should be near each
+/// other, as the edges of a ring are.
+///
+/// ```
+/// use geograd::polygon::EdgeBoxes;
+/// use geograd::{Aabb2, Rings};
+/// let (a, b) = (Aabb2::new(0.0, 0.0, 4.0, 4.0).corners(), Aabb2::new(6.0, 1.0, 7.0, 2.0).corners());
+/// let [a, b] = [&a, &b].map(|corners| EdgeBoxes::of(Rings::from(corners)));
+/// let nearest = a.nearest(&b).expect("both have edges");
+/// assert_eq!((nearest.distance, nearest.edges), (2.0, [1, 3]));
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct EdgeBoxes<S> {
+    edges: Vec<[Vec2<S>; 2]>,
+    /// The boxes of leaves, then those of every larger level; the last one has all edges.
+    boxes: Vec<Ends>,
+    /// The place of the first box of every level.
+    levels: Vec<usize>,
+}
+
+/// Two edges that are nearest to each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NearestEdges<S> {
+    /// Their distance, 0 where they meet.
+    pub distance: S,
+    /// Their places in both lists. Of a polygon they are the numbers of the edges' first vertices.
+    pub edges: [usize; 2],
+}
+
+impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
+    /// Creates the boxes of a polygon's edges, in time in proportion to their number.
+    #[must_use]
+    pub fn of(rings: Rings<'_, S>) -> Self {
+        Self::of_edges(rings.iter().flat_map(edges))
+    }
+    /// Creates the boxes of edges from any one point to another.
+    pub fn of_edges(edges: impl IntoIterator<Item = [Vec2<S>; 2]>) -> Self {
+        let mut made = EdgeBoxes {
+            edges: Vec::new(),
+            boxes: Vec::new(),
+            levels: Vec::new(),
+        };
+        made.replace(edges);
+        made
+    }
+    /// Takes other edges, and keeps the memory.
+    pub fn replace(&mut self, edges: impl IntoIterator<Item = [Vec2<S>; 2]>) {
+        self.edges.clear();
+        self.edges.extend(edges);
+        self.boxes.clear();
+        self.levels.clear();
+        let leaves = self.edges.chunks(FEW);
+        self.boxes.extend(leaves.map(around));
+        let mut from = 0;
+        loop {
+            let end = self.boxes.len();
+            self.levels.push(from);
+            if end - from <= 1 {
+                return;
+            }
+            for first in (from..end).step_by(FEW) {
+                let own = self.boxes[first..end.min(first + FEW)].iter();
+                let joined = own.fold(NOWHERE, |all, own| [0, 1].map(|k| join(all[k], own[k])));
+                self.boxes.push(joined);
+            }
+            from = end;
+        }
+    }
+    /// Returns the two edges that are nearest to each other; `None` where there are none. Coordinates are finite. Of edges
+    /// that are apart and equally near the first of this list count, and beside it the first of the other.
+    #[must_use]
+    pub fn nearest(&self, other: &Self) -> Option<NearestEdges<S>> {
+        let (&whole, &others) = (self.boxes.last()?, other.boxes.last()?);
+        let mut search = Search {
+            both: [self, other],
+            best: None,
+            square: f64::INFINITY,
+            limit: f64::INFINITY,
+            slack: SLACK * S::format().epsilon() * spread(whole, others),
+        };
+        let tops = [self, other].map(|own| Node {
+            level: own.levels.len() - 1,
+            place: 0,
+        });
+        let mut left = vec![(0.0, tops)];
+        while let Some((gap, nodes)) = left.pop() {
+            if gap > search.limit {
+                continue;
+            }
+            let [a, b] = nodes;
+            if a.level == 0 && b.level == 0 {
+                if search.leaves(a.place, b.place) {
+                    break;
+                }
+                continue;
+            }
+            let side = usize::from(b.level > a.level);
+            let first = left.len();
+            for child in search.both[side].children(nodes[side]) {
+                let mut pair = nodes;
+                pair[side] = child;
+                let gap = squared_gap(self.at(pair[0]), other.at(pair[1]));
+                if gap <= search.limit {
+                    left.push((gap, pair));
+                }
+            }
+            // The nearest pair comes first.
+            left[first..].sort_by(|(one, _), (another, _)| another.total_cmp(one));
+        }
+        search.best
+    }
+    fn at(&self, node: Node) -> Ends {
+        self.boxes[self.levels[node.level] + node.place]
+    }
+    fn children(&self, node: Node) -> impl Iterator<Item = Node> {
+        let level = node.level - 1;
+        let count = self.levels[node.level] - self.levels[level];
+        let first = node.place * FEW;
+        (first..count.min(first + FEW)).map(move |place| Node { level, place })
+    }
+}
+
+/// A box: its level, and its place among those of the level.
+#[derive(Clone, Copy)]
+struct Node {
+    level: usize,
+    place: usize,
+}
+
+/// What is known of the nearest edges.
+struct Search<'a, S> {
+    both: [&'a EdgeBoxes<S>; 2],
+    best: Option<NearestEdges<S>>,
+    /// The least known square of a distance.
+    square: f64,
+    /// The squared gap beyond which no edge can be nearest.
+    limit: f64,
+    slack: f64,
+}
+
+impl<S: Scalar<Mask = bool>> Search<'_, S> {
+    /// Compares the edges of two leaves. Returns `true` once two edges meet.
+    fn leaves(&mut self, a: usize, b: usize) -> bool {
+        let of = |side: usize, leaf: usize| {
+            let own = &self.both[side].edges;
+            leaf * FEW..own.len().min((leaf + 1) * FEW)
+        };
+        let (own, others) = (of(0, a), of(1, b));
+        let mut ends = [NOWHERE; FEW];
+        for (ends, edge) in ends.iter_mut().zip(&self.both[1].edges[others.clone()]) {
+            *ends = around(std::slice::from_ref(edge));
+        }
+        let whole = self.both[1].boxes[b];
+        for i in own {
+            let edge = self.both[0].edges[i];
+            let seen = around(&[edge]);
+            if squared_gap(seen, whole) > self.limit {
+                continue;
+            }
+            // Distances of vertices bound that of edges, and take less time.
+            for other in &self.both[1].edges[others.clone()] {
+                self.bound(squared_distance(edge[0], other[0]));
+            }
+            for (j, ends) in others.clone().zip(ends) {
+                if squared_gap(seen, ends) <= self.limit {
+                    self.compare(i, j);
+                }
+            }
+        }
+        self.best
+            .is_some_and(|best| best.distance.at_most(S::zero()))
+    }
+    /// Compares two edges with the nearest ones.
+    fn compare(&mut self, i: usize, j: usize) {
+        let [a, b] = [self.both[0].edges[i], self.both[1].edges[j]]
+            .map(|[from, to]| Segment2::new(from, to));
+        let found = NearestEdges {
+            distance: between(a, b),
+            edges: [i, j],
+        };
+        let is_nearer = self.best.is_none_or(|best| {
+            let is_first = found.edges < best.edges;
+            found.distance.below(best.distance) || found.distance.equals(best.distance) && is_first
+        });
+        if is_nearer {
+            self.best = Some(found);
+            if let Some(distance) = found.distance.widened() {
+                self.bound(distance * distance);
+            }
+        }
+    }
+    /// Takes note of a square of a distance.
+    fn bound(&mut self, square: f64) {
+        if square < self.square {
+            self.square = square;
+            let far = square.sqrt() * (1.0 + 8.0 * f64::EPSILON) + self.slack;
+            self.limit = far * far * (1.0 + 8.0 * f64::EPSILON) + f64::MIN_POSITIVE;
+        }
+    }
+}
+
+/// A box without points.
+const NOWHERE: Ends = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+
+#[inline(always)]
+fn join(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0].min(b[0]), a[1].max(b[1])]
+}
+
+/// Returns the box around edges; everything in a format that has no exact value as `f64`.
+#[inline(always)]
+fn around<S: Scalar>(edges: &[[Vec2<S>; 2]]) -> Ends {
+    let everywhere = [f64::NEG_INFINITY, f64::INFINITY];
+    let seen = |x: S| x.widened().map_or(everywhere, |x| [x, x]);
+    let ends = edges.iter().flatten();
+    ends.fold(NOWHERE, |[x, y], end| {
+        [join(x, seen(end.x)), join(y, seen(end.y))]
+    })
+}
+
+/// Returns the squared distance of two boxes.
+#[inline(always)]
+fn squared_gap(a: Ends, b: Ends) -> f64 {
+    let gap = |a: [f64; 2], b: [f64; 2]| (a[0] - b[1]).max(b[0] - a[1]).max(0.0);
+    let (x, y) = (gap(a[0], b[0]), gap(a[1], b[1]));
+    x * x + y * y
+}
+
+/// Returns the largest difference of two coordinates of the points of two boxes.
+fn spread(a: Ends, b: Ends) -> f64 {
+    let of = |k: usize| a[k][1].max(b[k][1]) - a[k][0].min(b[k][0]);
+    of(0).max(of(1))
+}
+
+#[inline(always)]
+fn squared_distance<S: Scalar>(a: Vec2<S>, b: Vec2<S>) -> f64 {
+    let wide = |x: S| x.widened().unwrap_or(f64::INFINITY);
+    let (x, y) = (wide(a.x) - wide(b.x), wide(a.y) - wide(b.y));
+    x * x + y * y
+}
+
+/// Returns the distance of the areas of two polygons, in units of length; 0 with derivative zero where they meet or one
+/// contains the other, by the even-odd rule. Largest finite number where one has no vertices.
+///
+/// Search by boxes, of time in proportion to the number of vertices for polygons that are not long beside each other.
+/// Whether areas meet is decided exactly, but for edges that cross within a rounding.
+/// Kinks: several nearest edges, of which the first have the derivative, and polygons that touch.
+///
+/// ```
+/// use geograd::{Aabb2, Rings, polygon};
+/// let (a, b) = (Aabb2::new(0.0, 0.0, 4.0, 4.0).corners(), Aabb2::new(7.0, 8.0, 9.0, 9.0).corners());
+/// assert_eq!(polygon::distance(&a, &b), 5.0);
+/// let inner = Aabb2::new(1.0, 1.0, 2.0, 2.0).corners();
+/// assert_eq!(polygon::distance(&a, &inner), 0.0);
+/// ```
+#[must_use]
+pub fn distance<'a, S: Scalar<Mask = bool>>(
+    a: impl Into<Rings<'a, S>>,
+    b: impl Into<Rings<'a, S>>,
+) -> S {
+    let (a, b) = (a.into(), b.into());
+    let nearest = EdgeBoxes::of(a).nearest(&EdgeBoxes::of(b));
+    match nearest {
+        None => S::largest(),
+        Some(_) if a.holds_a_ring_of(b) || b.holds_a_ring_of(a) => S::zero(),
+        Some(nearest) => nearest.distance,
+    }
+}
+
+impl<S: Scalar<Mask = bool>> Rings<'_, S> {
+    /// Returns `true` if the first vertex of some ring of another polygon is inside by the even-odd rule, or on the
+    /// border. Of polygons whose edges are apart it says whether one contains a part of the other.
+    #[must_use]
+    pub fn holds_a_ring_of(&self, other: Rings<'_, S>) -> bool {
+        let Some(bounds) = self.bounds() else {
+            return false;
+        };
+        let firsts = other.iter().filter_map(<[_]>::first);
+        firsts
+            .copied()
+            .any(|v| bounds.contains(v) && self.contains(v, Fill::EvenOdd))
+    }
+}

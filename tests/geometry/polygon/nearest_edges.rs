@@ -1,0 +1,131 @@
+//! Distances of polygons by boxes of edges, against all pairs of edges.
+use super::cases::{at, stars};
+use super::rings::made;
+use geograd::distance::distance as between;
+use geograd::polygon::{self, EdgeBoxes, Fill, NearestEdges};
+use geograd::{Polygon, Segment2, Vec2};
+use geograd_tests::Dice;
+
+fn edges(polygon: &Polygon<f64>) -> Vec<[Vec2<f64>; 2]> {
+    let rings = polygon.rings().iter();
+    rings
+        .flat_map(|ring| (0..ring.len()).map(move |k| [ring[k], ring[(k + 1) % ring.len()]]))
+        .collect()
+}
+
+/// The nearest of all pairs, the first of those that tie.
+fn of_all(a: &[[Vec2<f64>; 2]], b: &[[Vec2<f64>; 2]]) -> Option<NearestEdges<f64>> {
+    let mut best: Option<NearestEdges<f64>> = None;
+    for (i, [from, to]) in a.iter().enumerate() {
+        for (j, [start, end]) in b.iter().enumerate() {
+            let distance = between(Segment2::new(*from, *to), Segment2::new(*start, *end));
+            if best.is_none_or(|best| distance < best.distance) {
+                best = Some(NearestEdges {
+                    distance,
+                    edges: [i, j],
+                });
+            }
+        }
+    }
+    best
+}
+
+fn checked(a: &Polygon<f64>, b: &Polygon<f64>) {
+    let expected = of_all(&edges(a), &edges(b));
+    let found = EdgeBoxes::of(a.into()).nearest(&EdgeBoxes::of(b.into()));
+    match (found, expected) {
+        // Of edges that meet any may be named.
+        (Some(found), Some(expected)) if expected.distance == 0.0 => {
+            assert_eq!(found.distance, 0.0);
+        }
+        (found, expected) => assert_eq!(found, expected),
+    }
+    let holds = |own: &Polygon<f64>, other: &Polygon<f64>| {
+        let mut rings = other.rings().iter();
+        rings.any(|ring| polygon::Rings::from(own).contains(ring[0], Fill::EvenOdd))
+    };
+    let meet = expected.is_some_and(|x| x.distance == 0.0) || holds(a, b) || holds(b, a);
+    let known = if meet {
+        0.0
+    } else {
+        expected.map_or(f64::MAX, |x| x.distance)
+    };
+    assert_eq!(polygon::distance(a, b), known);
+    // Roundings go with the order of both.
+    let turned = polygon::distance(b, a);
+    assert!(
+        (turned - known).abs() <= 8.0 * f64::EPSILON * known,
+        "{turned} {known}"
+    );
+}
+
+/// A polygon, moved and grown.
+fn moved(polygon: &Polygon<f64>, by: Vec2<f64>, factor: f64) -> Polygon<f64> {
+    let rings: Vec<Vec<Vec2<f64>>> = polygon
+        .rings()
+        .iter()
+        .map(|ring| ring.iter().map(|&v| v * factor + by).collect())
+        .collect();
+    made(&rings)
+}
+
+#[test]
+fn distances_are_those_of_all_pairs_of_edges() {
+    let mut dice = Dice(5);
+    for round in 0..300 {
+        let a = made(&stars(&mut dice));
+        let far = if round % 3 == 0 { 30.0 } else { 9.0 };
+        let by = at(dice.within(-far, far), dice.within(-far, far));
+        let b = moved(&made(&stars(&mut dice)), by, dice.within(0.2, 2.0));
+        checked(&a, &b);
+        // The same shapes far from the origin, tiny and huge.
+        for factor in [1e-150, 1e-6, 1e100] {
+            let (a, b) = (
+                moved(&a, at(0.0, 0.0), factor),
+                moved(&b, at(0.0, 0.0), factor),
+            );
+            checked(&a, &b);
+        }
+        checked(
+            &moved(&a, at(1e8, -1e8), 1.0),
+            &moved(&b, at(1e8, -1e8), 1.0),
+        );
+    }
+}
+
+#[test]
+fn ties_on_a_grid_of_whole_numbers_take_the_first_edges() {
+    let mut dice = Dice(6);
+    for _ in 0..2000 {
+        let mut ring = |shift: f64| -> Polygon<f64> {
+            let count = 3 + (dice.within(0.0, 6.0) as usize);
+            let mut place = || {
+                at(
+                    dice.within(0.0, 4.0).floor() + shift,
+                    dice.within(0.0, 4.0).floor(),
+                )
+            };
+            made(&[(0..count).map(|_| place()).collect()])
+        };
+        let (a, b) = (ring(0.0), ring(5.0));
+        checked(&a, &b);
+        checked(&a, &ring(2.0));
+        checked(&a, &a);
+    }
+}
+
+#[test]
+fn holes_and_nothing() {
+    let square =
+        |low: f64, high: f64| vec![at(low, low), at(high, low), at(high, high), at(low, high)];
+    let frame = made(&[square(0.0, 9.0), square(2.0, 7.0)]);
+    assert_eq!(polygon::distance(&frame, &made(&[square(3.0, 4.0)])), 1.0);
+    assert_eq!(polygon::distance(&frame, &made(&[square(0.5, 1.0)])), 0.0);
+    assert_eq!(polygon::distance(&frame, &made(&[square(-2.0, 11.0)])), 0.0);
+    assert_eq!(polygon::distance(&frame, &made(&[square(9.0, 11.0)])), 0.0);
+    assert_eq!(polygon::distance(&frame, &Polygon::new()), f64::MAX);
+    assert_eq!(
+        EdgeBoxes::<f64>::default().nearest(&EdgeBoxes::of((&frame).into())),
+        None
+    );
+}
