@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 mod encodings;
 mod poses;
+mod solids;
 
 use geograd::kernels::dynamic::{self, Name, Operation, straight};
 use geograd::{Pack, Scalar};
@@ -52,6 +53,30 @@ own! {
     "twist": poses::Twist;
     "adjoint": poses::Adjoint;
     "adjoint_transposed": poses::AdjointTransposed;
+    "bounding": solids::OfCapsule2;
+    "bounding": solids::OfCapsule3;
+    "bounding": solids::OfCircle;
+    "bounding": solids::OfCone;
+    "bounding": solids::OfCylinder;
+    "bounding": solids::OfDisc;
+    "bounding": solids::OfEllipsoid;
+    "bounding": solids::OfObb2;
+    "bounding": solids::OfObb3;
+    "bounding": solids::OfRoundBox3;
+    "bounding": solids::OfSegment2;
+    "bounding": solids::OfSegment3;
+    "bounding": solids::OfSphere;
+    "bounding": solids::OfTetrahedron;
+    "bounding": solids::OfTriangle2;
+    "bounding": solids::OfTriangle3;
+    "bounding": solids::OfYawBox3;
+    "corners": solids::CornersOfObb3;
+    "corners": solids::CornersOfYawBox3;
+    "planes": solids::PlanesOfObb3;
+    "height": solids::HeightOfCone;
+    "height": solids::HeightOfCylinder;
+    "slant": solids::SlantOfCone;
+    "support": solids::SupportOfEllipsoid;
 }
 
 /// Every operation of the list, then those of this crate.
