@@ -256,10 +256,14 @@ impl Polygons {
 
 /// Returns vectors as an array of rows.
 pub fn rows<'py, T: Number>(py: Python<'py>, all: &[Vec2<T>]) -> PyResult<Bound<'py, PyAny>> {
-    let numbers: Vec<T> = all.iter().flat_map(|v| [v.x, v.y]).collect();
-    PyArray1::from_vec(py, numbers)
+    reshaped(py, all.iter().map(|v| [v.x, v.y]).collect())
+}
+
+fn reshaped<T: Number>(py: Python<'_>, all: Vec<[T; 2]>) -> PyResult<Bound<'_, PyAny>> {
+    let count = all.len();
+    PyArray1::from_vec(py, all.into_flattened())
         .as_any()
-        .call_method1("reshape", ((all.len(), 2),))
+        .call_method1("reshape", ((count, 2),))
 }
 
 /// Returns the vectors of an array of rows in a format.
@@ -323,6 +327,31 @@ impl Polygons {
     #[getter]
     fn offsets(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
         Ok(self.arrays(py)?.1.clone_ref(py))
+    }
+    /// The vertices with the first one of every ring again at its end, and where each ring starts among these.
+    fn _closed<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
+        fn each<'py, T: Number>(
+            py: Python<'py>,
+            all: &[Vec2<T>],
+            rings: &[usize],
+        ) -> PyResult<Bound<'py, PyAny>> {
+            let mut made: Vec<[T; 2]> = Vec::with_capacity(all.len() + rings.len());
+            for ends in rings.windows(2) {
+                let own = &all[ends[0]..ends[1]];
+                made.extend(own.iter().chain(own.first()).map(|v| [v.x, v.y]));
+            }
+            reshaped(py, made)
+        }
+        let rings = &self.layout.rings;
+        let vertices = match &*self.vertices {
+            Vertices::Single(all) => each(py, all, rings)?,
+            Vertices::Double(all) => each(py, all, rings)?,
+        };
+        let starts = rings
+            .iter()
+            .enumerate()
+            .map(|(k, &start)| (start + k) as i64);
+        Ok((vertices, PyArray1::from_iter(py, starts).into_any()))
     }
     fn __len__(&self) -> usize {
         self.layout.len()

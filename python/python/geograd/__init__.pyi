@@ -1491,6 +1491,40 @@ class Plane3(Shape):
     @property
     def offset(self) -> Any: ...
 
+class Plane3x6(Shape):
+    """Plane3x6.
+
+    An array whose last axis has its numbers, in this order:
+
+        [0].normal.x: part of a direction, not all parts 0
+        [0].normal.y: part of a direction, not all parts 0
+        [0].normal.z: part of a direction, not all parts 0
+        [0].offset: distance from the origin
+        [1].normal.x: part of a direction, not all parts 0
+        [1].normal.y: part of a direction, not all parts 0
+        [1].normal.z: part of a direction, not all parts 0
+        [1].offset: distance from the origin
+        [2].normal.x: part of a direction, not all parts 0
+        [2].normal.y: part of a direction, not all parts 0
+        [2].normal.z: part of a direction, not all parts 0
+        [2].offset: distance from the origin
+        [3].normal.x: part of a direction, not all parts 0
+        [3].normal.y: part of a direction, not all parts 0
+        [3].normal.z: part of a direction, not all parts 0
+        [3].offset: distance from the origin
+        [4].normal.x: part of a direction, not all parts 0
+        [4].normal.y: part of a direction, not all parts 0
+        [4].normal.z: part of a direction, not all parts 0
+        [4].offset: distance from the origin
+        [5].normal.x: part of a direction, not all parts 0
+        [5].normal.y: part of a direction, not all parts 0
+        [5].normal.z: part of a direction, not all parts 0
+        [5].offset: distance from the origin
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def items(self) -> list[Any]: ...
+
 class PointPair(Shape):
     """A point of each of two shapes.
 
@@ -1906,6 +1940,40 @@ class Vec3x3(Shape):
     @property
     def items(self) -> list[Any]: ...
 
+class Vec3x8(Shape):
+    """Vec3x8.
+
+    An array whose last axis has its numbers, in this order:
+
+        [0].x: coordinate
+        [0].y: coordinate
+        [0].z: coordinate
+        [1].x: coordinate
+        [1].y: coordinate
+        [1].z: coordinate
+        [2].x: coordinate
+        [2].y: coordinate
+        [2].z: coordinate
+        [3].x: coordinate
+        [3].y: coordinate
+        [3].z: coordinate
+        [4].x: coordinate
+        [4].y: coordinate
+        [4].z: coordinate
+        [5].x: coordinate
+        [5].y: coordinate
+        [5].z: coordinate
+        [6].x: coordinate
+        [6].y: coordinate
+        [6].z: coordinate
+        [7].x: coordinate
+        [7].y: coordinate
+        [7].z: coordinate
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def items(self) -> list[Any]: ...
+
 class Xywh(Shape):
     """Xywh.
 
@@ -2123,6 +2191,68 @@ class _bhattacharyya(Verb):
     def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 bhattacharyya: _bhattacharyya
+
+class _bounding(Verb):
+    """The smallest axis-aligned box around the shape.
+
+    Rows:
+        bounding(shape: Capsule2) -> Aabb2
+        bounding(shape: Capsule3) -> Aabb3
+        bounding(shape: Circle) -> Aabb2
+        bounding(shape: Cone) -> Aabb3
+        bounding(shape: Cylinder) -> Aabb3
+        bounding(shape: Disc) -> Aabb3
+        bounding(shape: Ellipsoid) -> Aabb3
+        bounding(shape: Obb2) -> Aabb2
+        bounding(shape: Obb3) -> Aabb3
+        bounding(shape: RoundBox3) -> Aabb3
+        bounding(shape: Segment2) -> Aabb2
+        bounding(shape: Segment3) -> Aabb3
+        bounding(shape: Sphere) -> Aabb3
+        bounding(shape: Tetrahedron) -> Aabb3
+        bounding(shape: Triangle2) -> Aabb2
+        bounding(shape: Triangle3) -> Aabb3
+        bounding(shape: YawBox3) -> Aabb3
+    """
+    @overload
+    def __call__(self, shape: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Aabb2: ...
+    @overload
+    def __call__(self, shape: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Aabb3: ...
+    @overload
+    def __call__(self, shape: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Aabb2: ...
+    @overload
+    def __call__(self, shape: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Aabb3: ...
+    @overload
+    def __call__(self, shape: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Aabb3: ...
+    @overload
+    def __call__(self, shape: Disc, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Aabb3: ...
+    @overload
+    def __call__(self, shape: Ellipsoid, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Aabb3: ...
+    @overload
+    def __call__(self, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Aabb2: ...
+    @overload
+    def __call__(self, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Aabb3: ...
+    @overload
+    def __call__(self, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Aabb3: ...
+    @overload
+    def __call__(self, shape: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Aabb2: ...
+    @overload
+    def __call__(self, shape: Segment3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Aabb3: ...
+    @overload
+    def __call__(self, shape: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Aabb3: ...
+    @overload
+    def __call__(self, shape: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Aabb3: ...
+    @overload
+    def __call__(self, shape: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Aabb2: ...
+    @overload
+    def __call__(self, shape: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Aabb3: ...
+    @overload
+    def __call__(self, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Aabb3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
+
+bounding: _bounding
 
 class _centroid(Verb):
     """The centre of the area, of the volume, or of points.
@@ -2499,9 +2629,17 @@ class _corners(Verb):
 
     Rows:
         corners(shape: Obb2) -> Vec2x4
+        corners(shape: Obb3) -> Vec3x8
+            The corners of the box: the first side runs fastest, the third slowest.
+        corners(shape: YawBox3) -> Vec3x8
+            The corners of the box: the first side runs fastest, the third slowest.
     """
     @overload
     def __call__(self, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2x4: ...
+    @overload
+    def __call__(self, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3x8: ...
+    @overload
+    def __call__(self, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3x8: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
     def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
@@ -3421,6 +3559,24 @@ class _giou_rectangle(Verb):
     def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 giou_rectangle: _giou_rectangle
+
+class _height(Verb):
+    """The distance of the apex from the base, in units of length.
+
+    Rows:
+        height(shape: Cone) -> number
+        height(shape: Cylinder) -> number
+            The distance of both ends, in units of length.
+    """
+    @overload
+    def __call__(self, shape: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
+
+height: _height
 
 class _hull_area(Verb):
     """The area of the convex hull of two shapes.
@@ -4365,6 +4521,20 @@ class _perimeter(Verb):
 
 perimeter: _perimeter
 
+class _planes(Verb):
+    """The planes of the box's faces with normals outwards, two for each side.
+
+    Rows:
+        planes(shape: Obb3) -> Plane3x6
+    """
+    @overload
+    def __call__(self, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Plane3x6: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
+
+planes: _planes
+
 class _probiou(Verb):
     """The probabilistic IoU of two rotated boxes as Gaussians of the variance of uniform boxes, size²/12: 0 to 1.
 
@@ -4906,6 +5076,20 @@ class _signed_distance(Verb):
 
 signed_distance: _signed_distance
 
+class _slant(Verb):
+    """The distance of the apex from the rim, in units of length.
+
+    Rows:
+        slant(shape: Cone) -> number
+    """
+    @overload
+    def __call__(self, shape: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
+
+slant: _slant
+
 class _span(Verb):
     """The parameters of entry and exit of a line and a shape.
 
@@ -5055,6 +5239,20 @@ class _squared_wasserstein(Verb):
     def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 squared_wasserstein: _squared_wasserstein
+
+class _support(Verb):
+    """The farthest point of the ellipsoid in a direction of any length.
+
+    Rows:
+        support(shape: Ellipsoid, direction: Vec3) -> Vec3
+    """
+    @overload
+    def __call__(self, shape: Ellipsoid, direction: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
+
+support: _support
 
 class _surface(Verb):
     """The area of the surface of bodies.

@@ -1,5 +1,7 @@
 """Verbs of polygons and paths as functions of arrays, with the layouts of their columns: what torch and JAX run."""
 
+import functools
+
 import numpy as np
 
 import geograd
@@ -70,6 +72,15 @@ class Layout:
         if tuple(shape[-2:]) != wanted:
             raise ValueError(f"vertices: {wanted} is the shape that the offsets ask for, not {tuple(shape)}")
 
+    def chosen(self, items):
+        """The layout of some items, and the places of their vertices."""
+        places, made = np.asarray(items, np.int64), []
+        for own in self.offsets[::-1]:
+            sizes = np.diff(own)[places]
+            made.append(np.concatenate([[0], np.cumsum(sizes)]))
+            places = _formulas.ranges(own[:-1][places], sizes)
+        return Layout(self.cls, made[::-1], self.width), places
+
     def sums(self, of_vertices):
         """The sums of what the vertices of each item have."""
         made = np.concatenate([np.zeros((1, *of_vertices.shape[1:]), of_vertices.dtype), np.cumsum(of_vertices, 0)])
@@ -100,6 +111,9 @@ class Rows:
     def checked(self, shape):
         if shape[-1] != self.width:
             raise ValueError(f"a {self.kind} has {self.width} numbers, not {shape[-1]}")
+
+    def chosen(self, items):
+        return Rows(self.kind, len(items)), np.asarray(items, np.int64)
 
     def sums(self, of_rows):
         return of_rows
@@ -171,9 +185,18 @@ class Operation:
                     made[:, place] += own.sums((by * along).sum(1))
         return made.reshape(self.size)
 
+    @property
+    def whole(self):
+        """The operation item by item: itself."""
+        return self
+
+    def spread(self, xs):
+        """The arrays of its items: those that it takes."""
+        return xs
+
     def choices(self, xs):
         """What a formula takes as given: which edges are nearest, how rings turn."""
-        return _formulas.choices(self, self._dressed(xs))
+        return _formulas.choices(self.whole, self.whole._dressed(self.spread(xs)))
 
     @property
     def has_formula(self):
@@ -182,6 +205,66 @@ class Operation:
     def lacks_second(self):
         """The error of second derivatives that are not there."""
         return TypeError(f"geograd.{self.verb} of {self.layouts[-1].cls.__name__} has no second derivatives, only first ones")
+
+
+class Pairs(Operation):
+    """A verb of every item of one column or rows with every item of another: a matrix."""
+
+    def __init__(self, verb, layouts):
+        self.verb, self.layouts = verb, tuple(layouts)
+        if len(self.layouts) != 2 or self._width():
+            raise TypeError(f"geograd.{verb} has no all_pairs: they are of two columns, and a number each")
+        self.counts = tuple(own.count for own in self.layouts)
+        self.gives, self.count = 0, self.counts[0] * self.counts[1]
+
+    @property
+    def size(self):
+        return self.counts
+
+    @functools.cached_property
+    def _crossed(self):
+        n, m = self.counts
+        chosen = [np.repeat(np.arange(n), m), np.tile(np.arange(m), n)]
+        return [own.chosen(items) for own, items in zip(self.layouts, chosen)]
+
+    @property
+    def whole(self):
+        return Operation(self.verb, [own for own, _ in self._crossed])
+
+    def spread(self, xs):
+        return [x[places] for x, (_, places) in zip(xs, self._crossed)]
+
+    def _each(self, *lists):
+        """The operation of each item of the shorter column with all of the other one, and the arrays of both in some lists."""
+        side = int(self.counts[1] <= self.counts[0])
+        for item in range(self.counts[side] if self.count else 0):
+            layouts = list(self.layouts)
+            layouts[side], places = layouts[side].chosen([item])
+            found = [[x if k != side or x is None else x[places] for k, x in enumerate(xs)] for xs in lists]
+            yield (slice(None), item) if side else (item, slice(None)), side, places, Operation(self.verb, layouts), *found
+
+    def value(self, xs):
+        verb = getattr(geograd, self.verb)
+        if self.count and not isinstance(self.layouts[0], Layout) or all(own.cls is geograd.Polygons for own in self.layouts):
+            return np.asarray(verb.all_pairs(*self._dressed(xs)))
+        made = np.zeros(self.size, xs[0].dtype)
+        for at, _, _, of, own in self._each(xs):
+            made[at] = of.value(own)
+        return made
+
+    def vjp(self, xs, bar):
+        made = [np.zeros_like(x) for x in xs]
+        for at, side, places, of, own in self._each(xs):
+            found = of.vjp(own, np.asarray(bar)[at])
+            made[side][places] += found[side]
+            made[1 - side] += found[1 - side]
+        return made
+
+    def jvp(self, xs, directions):
+        made = np.zeros(self.size, xs[0].dtype)
+        for at, _, _, of, own, along in self._each(xs, directions):
+            made[at] = of.jvp(own, along)
+        return made
 
 
 def takes_columns(verb, paths):

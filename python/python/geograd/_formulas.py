@@ -40,6 +40,12 @@ def owner(ends):
     return np.repeat(np.arange(len(ends) - 1), np.diff(ends))
 
 
+def ranges(starts, counts):
+    """The whole numbers of ranges, one range after the other."""
+    ends = np.cumsum(counts)
+    return np.arange(ends[-1] if len(ends) else 0) + np.repeat(starts - ends + counts, counts)
+
+
 def _outline(layout, column):
     """The outline of a column of a layout, or of rows of a shape."""
     if not hasattr(layout, "ends"):
@@ -82,7 +88,7 @@ def choices(of, columns):
 
 def sizes(of):
     """The kinds and the counts of the choices of an operation."""
-    kind = kind_of(of)
+    of, kind = of.whole, kind_of(of)
     if kind in ("turns", "overlap"):
         return [("float", len(own.offsets[0]) - 1) for own in of.layouts]
     return [("float", of.count), ("int", of.count), ("int", of.count)] if kind == "nearest" else []
@@ -90,6 +96,10 @@ def sizes(of):
 
 def value(xp, of, given, xs):
     """The results of an operation by its formula, in the functions of an array library."""
+    return _value(xp, of.whole, given, of.spread(xs)).reshape(of.size)
+
+
+def _value(xp, of, given, xs):
     kind = kind_of(of)
     if kind == "overlap":
         return _overlap(xp, of, given, xs)
@@ -183,13 +193,13 @@ def _overlap(xp, of, given, xs):
         area = _turns(xp, "area", layout, signs, x, after, owner(layout.ends))
         areas.append(area[items])
         counts = np.diff(layout.ends)[items]
-        places, rows = _separation._ranges(layout.ends[:-1][items], counts), np.repeat(np.arange(count), counts)
+        places, rows = ranges(layout.ends[:-1][items], counts), np.repeat(np.arange(count), counts)
         ends.append((x, after, signs[owner(layout.offsets[0])], places, rows, counts))
     # Each edge of `a` with all edges of `b` of its row.
     (x, after_x, signs_x, places_x, rows, _), (y, after_y, signs_y, places_y, _, counts) = ends
     starts = np.cumsum(counts) - counts
     of_x = np.repeat(places_x, counts[rows])
-    of_y = places_y[_separation._ranges(starts[rows], counts[rows])]
+    of_y = places_y[ranges(starts[rows], counts[rows])]
     rows = np.repeat(rows, counts[rows])
     if not len(rows):
         shared = (x.sum() + y.sum()) * xp.constant(np.zeros(count), x)

@@ -279,8 +279,8 @@ def _given(verb, x, dtype, kind):
     return _columns.Rows(_columns.kind_of_rows(verb, kind, x.shape[1]), len(x)), x
 
 
-def run(verb, arguments, kind=None):
-    """A verb of polygons or paths on JAX's arrays."""
+def run(verb, arguments, kind=None, operation=_columns.Operation):
+    """A verb of polygons or paths on JAX's arrays, item by item or of all pairs."""
     is_of_paths = any(isinstance(x, (Paths, _core.Paths)) for x in arguments)
     _columns.takes_columns(verb, is_of_paths)
     wanted = 1 if verb in _columns.ALONE else 2
@@ -291,7 +291,7 @@ def run(verb, arguments, kind=None):
     own = [x.vertices if isinstance(x, Column) else x for x in arguments if not isinstance(x, (_core.Polygons, _core.Paths))]
     dtype = jnp.result_type(*own, jnp.float32) if own else jnp.result_type(float)
     layouts, xs = zip(*[_given(verb, x, dtype, kind) for x in arguments])
-    return _VALUE.bind(*xs, of=_columns.Operation(verb, layouts))[0]
+    return _VALUE.bind(*xs, of=operation(verb, layouts))[0]
 
 
 def union_area(a, b):

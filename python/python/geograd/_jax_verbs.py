@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import geograd
-from geograd import _jax, _jax_columns, _nodes
+from geograd import _columns, _jax, _jax_columns, _nodes
 
 
 class Verb:
@@ -31,7 +31,12 @@ class Verb:
         return _jax.applied(_nodes.of_verb(self.__name__, kind, len(arguments), to), arguments)
 
     def all_pairs(self, a, b, *, kind=None):
-        """Every row of ``a`` with every row of ``b``: a matrix of shape ``(..., N, M)``, with derivatives of any order."""
+        """Every row of ``a`` with every row of ``b``: a matrix of shape ``(..., N, M)``, with derivatives of any order.
+
+        Either may be a column of polygons or paths.
+        """
+        if isinstance(a, _jax_columns.ANY) or isinstance(b, _jax_columns.ANY):
+            return _jax_columns.run(self.__name__, (a, b), kind, _columns.Pairs)
         node = _nodes.of_verb(self.__name__, kind, 2)
         if len(node.takes) != 2:
             raise TypeError(f"{node.name} takes {len(node.takes)} arguments, and all_pairs are of two")

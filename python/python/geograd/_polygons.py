@@ -140,24 +140,22 @@ class Polygons(_core.Polygons):
         """An array of shapely's geometries: of a polygon of one part a Polygon, of any other a MultiPolygon."""
         import shapely
 
-        vertices, (rings, parts, polygons) = self._closed()
-        one = np.diff(polygons) == 1
+        _, parts, polygons = self.offsets
+        counts = np.diff(polygons)
+        one = counts == 1
         of_parts = np.zeros(0, object)
         if len(parts) > 1:
+            # Shapely takes longer to close rings.
+            vertices, rings = self._closed()
             of_parts = shapely.from_ragged_array(shapely.GeometryType.POLYGON, vertices, (rings, parts))
         if len(of_parts) and one.all():
             return of_parts
-        made = np.empty(len(self), object)
+        made = np.full(len(self), shapely.MultiPolygon(), object)
         made[one] = of_parts[polygons[:-1][one]]
-        for place in np.flatnonzero(~one):
-            made[place] = shapely.MultiPolygon(list(of_parts[polygons[place] : polygons[place + 1]]))
+        of_many = np.repeat(~one, counts)
+        if of_many.any():
+            shapely.multipolygons(of_parts[of_many], indices=np.repeat(np.arange(len(self)), counts)[of_many], out=made)
         return made
-
-    def _closed(self):
-        """Vertices and offsets with the first vertex of every ring repeated at its end."""
-        rings, parts, polygons = self.offsets
-        vertices = _outlines.repeated(self.vertices, rings, np.diff(rings))
-        return vertices, (rings + np.arange(len(rings)), parts, polygons)
 
     @classmethod
     def from_arrow(cls, column):
@@ -169,7 +167,7 @@ class Polygons(_core.Polygons):
         """A GeoArrow column of the type ``geoarrow.multipolygon``: lists of parts of rings of structs of x and y."""
         import pyarrow as pa
 
-        vertices, (rings, parts, polygons) = self._closed()
+        (vertices, rings), (_, parts, polygons) = self._closed(), self.offsets
         made = pa.StructArray.from_arrays([pa.array(np.ascontiguousarray(lane)) for lane in vertices.T], ["x", "y"])
         for offsets, name in ((rings, "vertices"), (parts, "rings"), (polygons, "polygons")):
             is_large = offsets[-1] > 2**31 - 1
@@ -281,8 +279,8 @@ def run(verb, form, arguments):
         return _points.run(verb, form, arguments)
     if verb not in VERBS:
         raise TypeError(f"geograd.{verb} takes no Polygons; they have {', '.join(VERBS)}")
-    if form not in ("value", "value_grad", "vjp") and not (form == "all_pairs" and verb in OVERLAPS):
-        pairs = ", all_pairs" if verb in OVERLAPS else ""
+    if form not in ("value", "value_grad", "vjp") and not (form == "all_pairs" and verb not in MEASURES):
+        pairs = "" if verb in MEASURES else ", all_pairs"
         raise TypeError(f"geograd.{verb}.{form} is not there for Polygons: they have the value, value_grad, vjp{pairs}")
     wanted = (1 if verb in MEASURES else 2) + (form == "vjp")
     if len(arguments) != wanted:
@@ -325,6 +323,8 @@ def _overlap(verb, form, a, b, upstream=None):
 
 
 def _distance(verb, form, first, second, upstream=None, fill="even_odd"):
+    if form == "all_pairs":
+        return _distances(verb, first, second)
     is_turned = isinstance(first, _core.Polygons)
     other = second if is_turned else first
     if not _is_of_points(other):
@@ -340,6 +340,25 @@ def _distance(verb, form, first, second, upstream=None, fill="even_odd"):
     value, gradient = _core.polygon_distance(points, polygons, fill, verb == "distance", upstream)
     gradient = gradient[::-1] if is_turned else gradient
     return gradient if form == "vjp" else (sign * value, gradient)
+
+
+def _distances(verb, first, second):
+    """Every item of one column with every item of another: a matrix."""
+    import geograd
+
+    def listed(x):
+        if isinstance(x, (_core.Polygons, _core.Paths)) or _convert_polygons.is_geometry(x):
+            return Polygons.of(x)
+        cls = type(x) if isinstance(x, _core.Shape) else geograd.Vec2
+        return cls(np.atleast_2d(np.asarray(x)))
+
+    both = [listed(x) for x in (first, second)]
+    counts = [len(x) for x in both]
+    # One item of the shorter column at a time stands for all.
+    side = int(counts[1] <= counts[0])
+    rows = [_distance(verb, "value", *[x[k : k + 1] if i == side else x for i, x in enumerate(both)]) for k in range(counts[side])]
+    made = np.stack(rows) if rows else np.zeros((counts[side], counts[1 - side]))
+    return np.ascontiguousarray(made.T) if side else made
 
 
 def _is_of_points(x):

@@ -236,8 +236,8 @@ class _OverlaySlope(torch.autograd.Function):
 
 
 @torch.compiler.disable
-def run(verb, arguments, kind=None):
-    """A verb of polygons or paths on tensors."""
+def run(verb, arguments, kind=None, operation=_columns.Operation):
+    """A verb of polygons or paths on tensors, item by item or of all pairs."""
     columns = [x for x in arguments if isinstance(x, ANY)]
     is_of_paths = any(isinstance(x, (Paths, _core.Paths)) for x in columns)
     _columns.takes_columns(verb, is_of_paths)
@@ -250,7 +250,7 @@ def run(verb, arguments, kind=None):
     found = {x.dtype for x in own if isinstance(x, torch.Tensor)}
     dtype = torch.float32 if found == {torch.float32} else torch.float64
     layouts, xs = zip(*[_given(verb, x, dtype, kind) for x in arguments])
-    return _Called.apply(_columns.Operation(verb, layouts), *xs)
+    return _Called.apply(operation(verb, layouts), *xs)
 
 
 def _given(verb, x, dtype, kind):

@@ -6,7 +6,7 @@ import numpy as np
 import torch
 
 import geograd
-from geograd import _cuda, _nodes, _torch, _torch_polygons
+from geograd import _columns, _cuda, _nodes, _torch, _torch_polygons
 
 #: The list whose rows have a result, and the comparison that a better one passes.
 _EXTREMES = {"row_max": (0, ">"), "column_max": (1, ">")}
@@ -94,8 +94,11 @@ class Verb:
     def all_pairs(self, a, b, *, kind=None):
         """Every row of ``a`` with every row of ``b``: a matrix, with derivatives of any order.
 
-        ``a`` has the shape ``(..., N, k)``, ``b`` ``(..., M, k)``, the result ``(..., N, M)``.
+        ``a`` has the shape ``(..., N, k)``, ``b`` ``(..., M, k)``, the result ``(..., N, M)``. Either may be a column of
+        polygons or paths.
         """
+        if isinstance(a, _torch_polygons.ANY) or isinstance(b, _torch_polygons.ANY):
+            return _torch_polygons.run(self.__name__, (a, b), kind, _columns.Pairs)
         if torch.compiler.is_compiling():
             return self(a.unsqueeze(-2), b.unsqueeze(-3), kind=kind)
         node, (a, b) = self._two("all_pairs", a, b, kind)

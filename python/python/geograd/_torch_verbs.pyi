@@ -17,7 +17,7 @@ class Verb(Generic[_Result]):
     __name__: str
     def __init__(self, name: str) -> None: ...
     def __call__(self, *arguments: Union[Argument, _Column], kind: Kind = ..., to: Kind = ...) -> _Result: ...
-    def all_pairs(self, a: torch.Tensor, b: torch.Tensor, *, kind: Kind = ...) -> torch.Tensor: ...
+    def all_pairs(self, a: Union[torch.Tensor, _Column], b: Union[torch.Tensor, _Column], *, kind: Kind = ...) -> torch.Tensor: ...
     def sum(self, a: torch.Tensor, b: torch.Tensor, *, kind: Kind = ...) -> torch.Tensor: ...
     def mean(self, a: torch.Tensor, b: torch.Tensor, *, kind: Kind = ...) -> torch.Tensor: ...
     def row_max(
@@ -51,7 +51,7 @@ class Verb(Generic[_Result]):
         score: Optional[float] = ..., most: Optional[int] = ..., groups: Optional[Offsets] = ..., kind: Kind = ...
     ) -> torch.Tensor: ...
 
-__all__ = ["adjoint", "adjoint_transposed", "alpha_iou", "angle", "area", "axes", "bhattacharyya", "centroid", "ciou", "ciou_aabb", "ciou_fixed_weight", "ciou_hull", "ciou_rectangle", "circumcircle", "closest_points", "convert", "corners", "crossing", "depth", "diameter", "diou", "diou_aabb", "diou_hull", "diou_rectangle", "distance", "eiou", "eiou_aabb", "eiou_hull", "eiou_rectangle", "farthest_distance", "first_hit", "flip_y", "from_6d", "from_rotation_vector", "from_twist", "giou", "giou_aabb", "giou_hull", "giou_rectangle", "hull_area", "incircle", "inertia", "interpolate", "intersection_area", "intersection_length", "intersection_volume", "inverse", "iof", "iou", "iou_bev", "jeffreys", "kfiou", "kullback_leibler", "left_jacobian", "left_jacobian_inverse", "length", "length_inside", "meeting", "minimum_circle", "minimum_rectangle", "move", "nearest_rotation", "penetration", "perimeter", "probiou", "project", "retract", "right_jacobian", "right_jacobian_inverse", "rotation_vector", "second_moments", "separation_aware", "signed_area", "signed_distance", "span", "squared_angle", "squared_distance", "squared_wasserstein", "surface", "tangent_to", "to_6d", "twist", "volume", "wasserstein", "width", "winding"]
+__all__ = ["adjoint", "adjoint_transposed", "alpha_iou", "angle", "area", "axes", "bhattacharyya", "bounding", "centroid", "ciou", "ciou_aabb", "ciou_fixed_weight", "ciou_hull", "ciou_rectangle", "circumcircle", "closest_points", "convert", "corners", "crossing", "depth", "diameter", "diou", "diou_aabb", "diou_hull", "diou_rectangle", "distance", "eiou", "eiou_aabb", "eiou_hull", "eiou_rectangle", "farthest_distance", "first_hit", "flip_y", "from_6d", "from_rotation_vector", "from_twist", "giou", "giou_aabb", "giou_hull", "giou_rectangle", "height", "hull_area", "incircle", "inertia", "interpolate", "intersection_area", "intersection_length", "intersection_volume", "inverse", "iof", "iou", "iou_bev", "jeffreys", "kfiou", "kullback_leibler", "left_jacobian", "left_jacobian_inverse", "length", "length_inside", "meeting", "minimum_circle", "minimum_rectangle", "move", "nearest_rotation", "penetration", "perimeter", "planes", "probiou", "project", "retract", "right_jacobian", "right_jacobian_inverse", "rotation_vector", "second_moments", "separation_aware", "signed_area", "signed_distance", "slant", "span", "squared_angle", "squared_distance", "squared_wasserstein", "support", "surface", "tangent_to", "to_6d", "twist", "volume", "wasserstein", "width", "winding"]
 
 adjoint: Verb[Any]
 adjoint_transposed: Verb[Any]
@@ -60,6 +60,7 @@ angle: Verb[torch.Tensor]
 area: Verb[torch.Tensor]
 axes: Verb[torch.Tensor]
 bhattacharyya: Verb[torch.Tensor]
+bounding: Verb[torch.Tensor]
 centroid: Verb[torch.Tensor]
 ciou: Verb[torch.Tensor]
 ciou_aabb: Verb[torch.Tensor]
@@ -92,6 +93,7 @@ giou: Verb[torch.Tensor]
 giou_aabb: Verb[torch.Tensor]
 giou_hull: Verb[torch.Tensor]
 giou_rectangle: Verb[torch.Tensor]
+height: Verb[torch.Tensor]
 hull_area: Verb[torch.Tensor]
 incircle: Verb[torch.Tensor]
 inertia: Verb[torch.Tensor]
@@ -117,6 +119,7 @@ move: Verb[torch.Tensor]
 nearest_rotation: Verb[torch.Tensor]
 penetration: Verb[torch.Tensor]
 perimeter: Verb[torch.Tensor]
+planes: Verb[torch.Tensor]
 probiou: Verb[torch.Tensor]
 project: Verb[torch.Tensor]
 retract: Verb[torch.Tensor]
@@ -127,10 +130,12 @@ second_moments: Verb[torch.Tensor]
 separation_aware: Verb[torch.Tensor]
 signed_area: Verb[torch.Tensor]
 signed_distance: Verb[torch.Tensor]
+slant: Verb[torch.Tensor]
 span: Verb[torch.Tensor]
 squared_angle: Verb[torch.Tensor]
 squared_distance: Verb[torch.Tensor]
 squared_wasserstein: Verb[torch.Tensor]
+support: Verb[torch.Tensor]
 surface: Verb[torch.Tensor]
 tangent_to: Verb[Any]
 to_6d: Verb[torch.Tensor]

@@ -11,7 +11,9 @@ minutes to compile. ``GEOGRAD_JAX_PALLAS=off`` leaves all to the host; ``interpr
 cards computes on the host. On an H200, 1 number in 300,000 of float32 and 1 in 20 of float64 had another last digit.
 
 :class:`Polygons` (with holes and parts), :class:`Rings`, :class:`Polylines` and :class:`Clouds` are columns, trees with one leaf:
-``geograd.jax.iou(polygons, others)`` and the other verbs of columns have derivatives by every vertex.
+``geograd.jax.iou(polygons, others)`` and the other verbs of columns have derivatives by every vertex. ``union``,
+``intersection``, ``difference`` and ``symmetric_difference`` give such polygons, with first derivatives; under ``jit``, which needs
+to know how many vertices they have, ``capacity=`` says so, and the result is a :class:`PolygonBuffer`.
 
 Losses: ``loss("giou", a, b)``, and by their names ``iou_loss``, ``giou_loss``, ``diou_loss``, ``ciou_loss``, ``eiou_loss``,
 ``probiou_loss``, ``kfiou_loss``, ``gwd_loss``, ``kld_loss``.
@@ -27,12 +29,14 @@ import geograd
 from geograd import _jax, _nodes
 from geograd._function import Function, reduced
 from geograd._jax_columns import Clouds, Paths, Polygons, Polylines, Rings, contains, union_area
+from geograd._jax_overlays import PolygonBuffer, difference, intersection, symmetric_difference, union
 from geograd._jax_verbs import *  # noqa: F403
 from geograd._jax_verbs import __all__ as _VERBS, Verb
 
 __all__ = [
     "function", "loss", "iou_loss", "giou_loss", "diou_loss", "ciou_loss", "eiou_loss", "probiou_loss", "kfiou_loss", "gwd_loss",
-    "kld_loss", "Clouds", "Paths", "Polygons", "Polylines", "Rings", "Verb", "contains", "union_area", *_VERBS,
+    "kld_loss", "Clouds", "Paths", "PolygonBuffer", "Polygons", "Polylines", "Rings", "Verb", "contains", "difference",
+    "intersection", "symmetric_difference", "union", "union_area", *_VERBS,
 ]
 
 Reduction = Literal["mean", "sum", "none"]

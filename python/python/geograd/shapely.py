@@ -204,7 +204,8 @@ def geometries(shapes: Any) -> Array:
     elif kind in ("Segment2", "Segment3"):
         made = shapely.linestrings(rows.reshape(len(rows), 2, rows.shape[1] // 2))
     elif (corners := _outlines.corners(shapes)) is not None:
-        made = shapely.polygons(corners)
+        offsets = np.arange(len(corners) + 1) * (corners.shape[1] + 1)
+        made = _of_closed(corners[:, [*range(corners.shape[1]), 0]].reshape(-1, 2), offsets)
     else:
         known = "Vec2, Vec3, Segment2, Segment3, Aabb2, Obb2, Triangle2, Vec2x4 and paths"
         raise TypeError(f"{kind} has no geometry: {known} have")
@@ -212,12 +213,15 @@ def geometries(shapes: Any) -> Array:
     return found
 
 
+def _of_closed(vertices: Array, offsets: Array) -> Array:
+    """Polygons of one closed ring each."""
+    made: Array = shapely.from_ragged_array(shapely.GeometryType.POLYGON, vertices, (offsets, np.arange(len(offsets))))
+    return made
+
+
 def _of_paths(paths: geograd.Paths) -> Array:
     if isinstance(paths, geograd.Rings):
-        vertices, offsets = _outlines.closed(paths)
-        made = shapely.from_ragged_array(shapely.GeometryType.POLYGON, vertices, (offsets, np.arange(len(offsets))))
-        found: Array = made
-        return found
+        return _of_closed(*_outlines.closed(paths))
     vertices, offsets = np.asarray(paths.vertices, np.float64), np.asarray(paths.offsets, np.int64)
     if isinstance(paths, geograd.Polylines):
         made = shapely.from_ragged_array(shapely.GeometryType.LINESTRING, vertices, (offsets,))
