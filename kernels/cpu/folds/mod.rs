@@ -1,14 +1,14 @@
 //! Folds over ragged lists of paths: a program computes all edges in parallel, then the states of each path are joined
 //! in order.
+mod edge_states;
 mod near_edges;
 pub(crate) mod paths;
 mod point_values;
 
-use crate::error::Field;
-use crate::kernels::call::folding::{FoldPrograms, Folding, Sizes, backwards};
+use crate::kernels::call::folding::{Folding, Sizes, backwards};
 use crate::kernels::cpu::checked::{check_argument, check_upstream};
 use crate::kernels::cpu::formats::kernels_in;
-use crate::kernels::cpu::plan::{Plan, Preparation, name, of_recorded};
+use crate::kernels::cpu::plan::{Preparation, name};
 use crate::kernels::cpu::polylines::lengths;
 use crate::kernels::cpu::ragged::check_offsets;
 use crate::kernels::cpu::stretches::{self, Aligned};
@@ -16,13 +16,12 @@ use crate::kernels::cpu::work::in_parallel;
 use crate::kernels::machine::{Input, PathSpans};
 use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::item::counts::expect;
-use crate::kernels::row::item::{Leaf, Quick, STRETCH, Target};
-use crate::kernels::row::once::Key;
+use crate::kernels::row::item::{STRETCH, Target};
 use crate::{Error, Real};
-use paths::{Paths, first_flaw, paths, told};
+use edge_states::{finished, plan, states};
+use paths::{first_flaw, paths, told};
 use point_values::point_values;
 use std::ops::Range;
-use std::sync::Arc;
 
 /// Returns the numbers of the result of every path.
 pub fn values<T: Real>(folding: &Folding<T>, input: &Input<'_, T>) -> Result<Vec<T>, Error> {
@@ -51,28 +50,6 @@ pub fn values<T: Real>(folding: &Folding<T>, input: &Input<'_, T>) -> Result<Vec
         finished(folding, &paths, &states, i * STRETCH, out);
     });
     Ok(out)
-}
-
-/// Writes the results of paths from the one called `first` on, from the states of their edges.
-fn finished<T: Real>(
-    folding: &Folding<T>,
-    paths: &Paths<'_, T>,
-    states: &[T],
-    first: usize,
-    out: &mut [T],
-) {
-    let sizes = &folding.sizes;
-    let mut state = vec![T::default(); sizes.state];
-    for (k, out) in out.chunks_exact_mut(sizes.out).enumerate() {
-        let path = first + k;
-        (folding.joined)(told(sizes, paths, states, path), &mut state);
-        sizes.wind(&mut state, paths.windings[path]);
-        let shared = &paths.shared[path * sizes.wide..][..sizes.wide];
-        (folding.finish)(shared, &state, out);
-        for x in out {
-            *x = x.canonical();
-        }
-    }
 }
 
 /// Returns the cotangents of every context and every vertex from the results' cotangents.
@@ -199,60 +176,4 @@ pub(crate) fn check<T: Real>(folding: &Folding<T>, input: &Input<'_, T>) -> Resu
 /// Checks the offsets of paths.
 pub(crate) fn check_spans<T: Real>(input: &Input<'_, T>) -> Result<(), Error> {
     check_offsets::<T>(input.count, input.spans.offsets(&[0, input.count]))
-}
-
-/// Returns the plan of the body of edges for batches.
-fn plan<T: Real>(
-    sizes: &Sizes,
-    programs: &FoldPrograms,
-    mode: Mode,
-) -> Result<Arc<Plan<T>>, Error> {
-    let recorded = match mode {
-        Mode::Vjp => &programs.edge_vjp,
-        _ => &programs.edge,
-    };
-    programs.made.made(Key::Cpu(mode, false), &|| {
-        let leaf = |fields| Leaf {
-            shape: || "",
-            fields,
-            codes: 0,
-            name: |_| Field::VALUE,
-            check: |_: &[T]| Ok(()),
-            quick: Quick::Always,
-            rules: &[],
-            axis_bounds: |_| Vec::new(),
-        };
-        let arguments = [sizes.wide, 2 * sizes.element]
-            .into_iter()
-            .filter(|&fields| fields > 0)
-            .map(leaf);
-        of_recorded(
-            mode,
-            arguments.collect(),
-            vec![sizes.state],
-            recorded,
-            false,
-        )
-    })
-}
-
-/// Returns the states of all edges.
-fn states<T: Real>(
-    sizes: &Sizes,
-    programs: &FoldPrograms,
-    paths: &Paths<'_, T>,
-) -> Result<Vec<T>, Error> {
-    let body = plan(sizes, programs, Mode::Value)?;
-    let count = paths.edges.len();
-    let mut states = vec![T::default(); count * sizes.state];
-    let targets = vec![Some(Target::of_rows(&mut states, sizes.state))];
-    stretches::compute(Aligned {
-        unchecked: false,
-        plan: &body,
-        columns: &paths.columns(sizes.wide, None),
-        rare: false,
-        count,
-        targets,
-    });
-    Ok(states)
 }

@@ -1,8 +1,7 @@
 //! Results of points and paths, piece by piece: the numbers of a piece stay in the cache from the search to the result.
-use super::finished;
+use super::edge_states::{finished, states};
 use super::near_edges::NearSearch;
 use super::paths::{Paths, first_flaw};
-use super::states;
 use crate::kernels::call::folding::{FoldPrograms, Folding};
 use crate::kernels::cpu::work::in_parallel;
 use crate::kernels::machine::{Column, Input};
