@@ -7,6 +7,10 @@ mod cases;
 mod cut;
 pub mod exact;
 mod iou;
+#[cfg(feature = "boolean")]
+mod offset_peers;
+#[cfg(feature = "boolean")]
+mod offsets;
 mod overlap;
 mod published;
 mod rings;
