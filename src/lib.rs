@@ -40,6 +40,7 @@
 //! | measure the overlap of polygons, with holes or without | [`overlap_polygon`] |
 //! | store and measure polygons with holes and several parts | [`polygon`] |
 //! | unite, intersect and subtract polygons of any kind | [`boolean`] |
+//! | grow, shrink (buffer) polygons and paths by a distance | [`offset`] |
 //! | clip, join, add convex polygons | [`clipping`], [`hull`] |
 //! | test whether a point is in a polygon, and how deep | [`contain`] |
 //! | measure distances, closest points and penetration of shapes | [`distance`](mod@distance) |
@@ -133,6 +134,7 @@ pub mod iou3;
 pub mod measure;
 pub mod metric;
 pub mod motion;
+pub mod offset;
 pub mod overlap;
 pub mod overlap3;
 pub mod overlap_polygon;

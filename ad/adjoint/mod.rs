@@ -6,6 +6,7 @@ pub mod clipping;
 pub mod distance;
 pub mod iou;
 pub(crate) mod iou3;
+pub mod offset;
 pub mod overlap;
 pub mod overlap3;
 pub mod overlap_mixed;

@@ -8,6 +8,10 @@ mod cut;
 pub mod exact;
 mod iou;
 mod nearest_edges;
+#[cfg(feature = "boolean")]
+mod offset_peers;
+#[cfg(feature = "boolean")]
+mod offsets;
 mod overlap;
 mod published;
 mod rings;

@@ -1,0 +1,305 @@
+//! Searches of offsets.
+use super::joins::{path_plan, polygon_plan};
+use super::laid::{Before, Laid};
+use super::raw::Plan;
+use super::{OffsetStyle, OffsetTrace, ValidOffsetTrace, offset_replay, valid_offset_replay};
+use crate::boolean::{
+    BooleanOperation, Origin, OverlayTrace, ValidTrace, overlay_search, valid_search,
+};
+use crate::error::{Argument, Error, Field, Flaw, VertexFault};
+use crate::polygon::{self, Polygon, Rings};
+use crate::predicate::wide;
+use crate::{Scalar, Vec2};
+
+/// The kind of an input.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Subject {
+    Polygon,
+    Paths,
+}
+
+fn invalid(argument: Argument, flaw: Flaw) -> Error {
+    Error::Invalid {
+        argument,
+        item: 0,
+        flaw,
+    }
+}
+
+/// Returns the polygon's own union by the rule of the style.
+fn united<S: Scalar<Mask = bool>>(
+    rings: Rings<'_, S>,
+    style: &OffsetStyle,
+) -> Result<Before, Error> {
+    let nothing = Rings::flat(&[], &[]);
+    let union = BooleanOperation::Union;
+    let trace = overlay_search(rings, nothing, union, style.fill)?;
+    // Crossings are rounded, and rings through them may cross again; vertices are not.
+    if trace.origins().all(|of| matches!(of, [Origin::Vertex(_)])) {
+        return Ok(Before::United(trace));
+    }
+    valid_search(rings, nothing, union, style.fill).map(Before::Valid)
+}
+
+/// Returns `Ok` when every coordinate is finite and every path has two places.
+fn validate_paths<S: Scalar<Mask = bool>>(paths: Rings<'_, S>) -> Result<(), Flaw> {
+    for (ring, path) in paths.iter().enumerate() {
+        let flaw = |index, fault| Err(Flaw::Ring { ring, index, fault });
+        if let Some(index) = path.iter().position(|vertex| !vertex.is_finite()) {
+            return flaw(index, VertexFault::NotFinite);
+        }
+        if path.len() < 2 {
+            return flaw(path.len(), VertexFault::Missing);
+        }
+        if path.iter().all(|v| wide(*v) == wide(path[0])) {
+            return flaw(0, VertexFault::Repeated);
+        }
+    }
+    Ok(())
+}
+
+fn laid<S: Scalar<Mask = bool>>(
+    rings: Rings<'_, S>,
+    d: S,
+    style: &OffsetStyle,
+    subject: Subject,
+) -> Result<Laid, Error> {
+    style.validate()?;
+    let distance = wide(Vec2::new(d, d)).map_or(0.0, |[d, _]| d);
+    let of_distance = |flaw| invalid(Argument::Named("distance"), flaw);
+    if !distance.is_finite() {
+        return Err(of_distance(Flaw::NotFinite(Field::VALUE)));
+    }
+    let before = match subject {
+        Subject::Paths => {
+            validate_paths(rings).map_err(|flaw| invalid(Argument::A, flaw))?;
+            Before::Given
+        }
+        Subject::Polygon if style.is_trusted => {
+            rings
+                .validate()
+                .map_err(|flaw| invalid(Argument::A, flaw))?;
+            Before::Given
+        }
+        Subject::Polygon => united(rings, style)?,
+    };
+    let mut laid = Laid {
+        before,
+        plan: Plan::default(),
+    };
+    let polygon = laid.polygon(rings);
+    let place = |v: &Vec2<S>| {
+        let [x, y] = wide(*v).unwrap_or([0.0; 2]);
+        Vec2::new(x, y)
+    };
+    let places: Vec<_> = polygon.vertices().iter().map(place).collect();
+    let own = Rings::flat(&places, polygon.ends());
+    laid.plan = match subject {
+        Subject::Polygon => polygon_plan(own, distance, style),
+        // Nothing is nearer than zero, or less.
+        Subject::Paths if distance <= 0.0 => Plan::default(),
+        Subject::Paths => path_plan(own, distance, style),
+    };
+    let raw = laid.plan.raw(polygon.vertices(), d);
+    if !laid.inputs(&polygon, d)[usize::from(laid.plan.is_inward)]
+        .vertices()
+        .iter()
+        .all(|vertex| vertex.is_finite())
+    {
+        let rule = "moves a vertex beyond the largest number";
+        return Err(of_distance(Flaw::Broken(Field::VALUE, rule)));
+    }
+    // Walks whose rings round to less than three places enclose nothing.
+    let mut rings = raw.rings().iter();
+    laid.plan.walks.retain(|_| {
+        rings
+            .next()
+            .is_some_and(|ring| Rings::from(ring).validate().is_ok())
+    });
+    Ok(laid)
+}
+
+/// Returns the operation that makes the result of its inputs.
+fn operation(plan: &Plan) -> BooleanOperation {
+    match plan.is_inward {
+        true => BooleanOperation::Difference,
+        false => BooleanOperation::Union,
+    }
+}
+
+fn searched<S: Scalar<Mask = bool>>(
+    rings: Rings<'_, S>,
+    d: S,
+    style: &OffsetStyle,
+    subject: Subject,
+) -> Result<OffsetTrace, Error> {
+    let laid = laid(rings, d, style, subject)?;
+    let mut result = OverlayTrace::default();
+    if !laid.plan.walks.is_empty() {
+        let [a, b] = laid.inputs(&laid.polygon(rings), d);
+        let operation = operation(&laid.plan);
+        result = overlay_search(&a, &b, operation, polygon::Fill::NonZero)?;
+    }
+    Ok(OffsetTrace { laid, result })
+}
+
+fn valid_searched<S: Scalar<Mask = bool>>(
+    rings: Rings<'_, S>,
+    d: S,
+    style: &OffsetStyle,
+    subject: Subject,
+) -> Result<ValidOffsetTrace, Error> {
+    let laid = laid(rings, d, style, subject)?;
+    let mut result = ValidTrace::default();
+    if !laid.plan.walks.is_empty() {
+        let [a, b] = laid.inputs(&laid.polygon(rings), d);
+        let operation = operation(&laid.plan);
+        result = valid_search(&a, &b, operation, polygon::Fill::NonZero)?;
+    }
+    Ok(ValidOffsetTrace { laid, result })
+}
+
+/// Returns the record of the offset of a polygon by a distance of either sign, in units of length. See the
+/// [module](super).
+///
+/// # Errors
+///
+/// [`Error::Invalid`] with `A` and [`Flaw::Ring`] for a coordinate that is not finite and for a ring of fewer than three
+/// distinct vertices; with the distance if it is not finite or moves vertices beyond the largest number; with the style
+/// for a setting out of range.
+pub fn offset_search<'a, S: Scalar<Mask = bool>>(
+    rings: impl Into<Rings<'a, S>>,
+    d: S,
+    style: &OffsetStyle,
+) -> Result<OffsetTrace, Error> {
+    searched(rings.into(), d, style, Subject::Polygon)
+}
+
+/// Returns the record of the offset of open paths by a distance, in units of length: all that is nearer than it. It is
+/// empty for a distance of zero or less. See the [module](super).
+///
+/// # Errors
+///
+/// As [`offset_search`]; a path needs two distinct vertices.
+pub fn path_offset_search<'a, S: Scalar<Mask = bool>>(
+    paths: impl Into<Rings<'a, S>>,
+    d: S,
+    style: &OffsetStyle,
+) -> Result<OffsetTrace, Error> {
+    searched(paths.into(), d, style, Subject::Paths)
+}
+
+/// Returns the record of an [`offset`] of a polygon that is valid by the OGC's rules.
+///
+/// # Errors
+///
+/// See [`offset_search`].
+pub fn valid_offset_search<'a, S: Scalar<Mask = bool>>(
+    rings: impl Into<Rings<'a, S>>,
+    d: S,
+    style: &OffsetStyle,
+) -> Result<ValidOffsetTrace, Error> {
+    valid_searched(rings.into(), d, style, Subject::Polygon)
+}
+
+/// Returns the record of a [`path_offset`] that is valid by the OGC's rules.
+///
+/// # Errors
+///
+/// See [`path_offset_search`].
+pub fn valid_path_offset_search<'a, S: Scalar<Mask = bool>>(
+    paths: impl Into<Rings<'a, S>>,
+    d: S,
+    style: &OffsetStyle,
+) -> Result<ValidOffsetTrace, Error> {
+    valid_searched(paths.into(), d, style, Subject::Paths)
+}
+
+/// Returns the offset of a polygon by a distance of either sign, in units of length, as polygons that are valid by the
+/// OGC's rules: one per part, its outer ring first, counter-clockwise, then its holes, clockwise. See the
+/// [module](super).
+///
+/// ```
+/// use geograd::{Aabb2, offset::{Join, OffsetStyle, offset}, polygon};
+/// let square = Aabb2::new(0.0_f64, 0.0, 4.0, 4.0).corners();
+/// let style = OffsetStyle { join: Join::Mitre(2.0), ..OffsetStyle::default() };
+/// assert_eq!(polygon::area(&offset(&square, 1.0, &style)?[0]), 36.0);
+/// assert_eq!(polygon::area(&offset(&square, -1.0, &style)?[0]), 4.0);
+/// assert!(offset(&square, -2.5, &style)?.is_empty());
+/// # Ok::<(), geograd::Error>(())
+/// ```
+///
+/// # Errors
+///
+/// See [`offset_search`].
+pub fn offset<'a, S: Scalar<Mask = bool>>(
+    rings: impl Into<Rings<'a, S>>,
+    d: S,
+    style: &OffsetStyle,
+) -> Result<Vec<Polygon<S>>, Error> {
+    let rings = rings.into();
+    valid_offset_search(rings, d, style).map(|trace| valid_offset_replay(rings, d, &trace))
+}
+
+/// Returns the offset of open paths by a distance, in units of length, as polygons that are valid by the OGC's rules.
+/// See the [module](super).
+///
+/// ```
+/// use geograd::{Vec2, offset::{End, OffsetStyle, path_offset}, polygon};
+/// let path = [Vec2::new(0.0, 0.0), Vec2::new(4.0, 0.0)];
+/// let style = OffsetStyle { end: End::Square, ..OffsetStyle::default() };
+/// assert_eq!(polygon::area(&path_offset(&path, 1.0, &style)?[0]), 12.0);
+/// # Ok::<(), geograd::Error>(())
+/// ```
+///
+/// # Errors
+///
+/// See [`path_offset_search`].
+pub fn path_offset<'a, S: Scalar<Mask = bool>>(
+    paths: impl Into<Rings<'a, S>>,
+    d: S,
+    style: &OffsetStyle,
+) -> Result<Vec<Polygon<S>>, Error> {
+    let paths = paths.into();
+    valid_path_offset_search(paths, d, style).map(|trace| valid_offset_replay(paths, d, &trace))
+}
+
+/// Returns the area of the offset of a polygon, in squared units of length; zero where the distance empties it.
+///
+/// ```
+/// use geograd::{Aabb2, offset::{OffsetStyle, offset_area}, polygon::Fill};
+/// let square = Aabb2::new(0.0_f64, 0.0, 4.0, 4.0).corners();
+/// let area = offset_area(&square, 1.0, &OffsetStyle::default())?;
+/// // Chords lie inside of the arcs.
+/// assert!(area < 32.0 + std::f64::consts::PI && area > 31.99 + std::f64::consts::PI);
+/// # Ok::<(), geograd::Error>(())
+/// ```
+///
+/// # Errors
+///
+/// See [`offset_search`].
+pub fn offset_area<'a, S: Scalar<Mask = bool>>(
+    rings: impl Into<Rings<'a, S>>,
+    d: S,
+    style: &OffsetStyle,
+) -> Result<S, Error> {
+    let rings = rings.into();
+    let trace = offset_search(rings, d, style)?;
+    Ok(polygon::signed_area(&offset_replay(rings, d, &trace)))
+}
+
+/// Returns the perimeter of the offset of a polygon, holes included, in units of length; zero where the distance empties
+/// it.
+///
+/// # Errors
+///
+/// See [`offset_search`].
+pub fn offset_perimeter<'a, S: Scalar<Mask = bool>>(
+    rings: impl Into<Rings<'a, S>>,
+    d: S,
+    style: &OffsetStyle,
+) -> Result<S, Error> {
+    let rings = rings.into();
+    let trace = offset_search(rings, d, style)?;
+    Ok(polygon::perimeter(&offset_replay(rings, d, &trace)))
+}
