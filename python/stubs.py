@@ -89,6 +89,11 @@ class Paths:
     `paths[i]` is an array of the vertices of one, `paths[i:j]`, and places or truths as an array, are paths.
     """
     def __init__(self, vertices: ArrayLike, offsets: ArrayLike) -> None: ...
+    def buffer(
+        self, distance: ArrayLike, *, join: Literal["round", "mitre", "bevel"] = ..., limit: float = ..., end: Literal["round", "flat", "square"] = ...,
+        chords: int = ..., tolerance: Optional[float] = ..., fill: Fill = ..., valid: bool = ...,
+    ) -> Polygons:
+        """The polygons grown or shrunk by a distance."""
     @property
     def vertices(self) -> Array: ...
     @property
@@ -159,6 +164,21 @@ class _Overlay:
     def __call__(self, a: Any, b: Any, *, fill: Fill = ..., valid: bool = ...) -> Polygons: ...
     def vjp(self, a: Any, b: Any, upstream: ArrayLike, *, fill: Fill = ..., valid: bool = ...) -> tuple[Array, Array]:
         """Cotangents of the vertices of both columns, from those of the vertices of the result."""
+
+class _Buffer:
+    __name__: str
+    def __call__(
+        self, column: Any, distance: ArrayLike, *, join: Literal["round", "mitre", "bevel"] = ..., limit: float = ..., end: Literal["round", "flat", "square"] = ...,
+        chords: int = ..., tolerance: Optional[float] = ..., fill: Fill = ..., valid: bool = ...,
+    ) -> Polygons: ...
+    def vjp(
+        self, column: Any, distance: ArrayLike, upstream: ArrayLike, *, join: Literal["round", "mitre", "bevel"] = ..., limit: float = ..., end: Literal["round", "flat", "square"] = ...,
+        chords: int = ..., tolerance: Optional[float] = ..., fill: Fill = ..., valid: bool = ...,
+    ) -> tuple[Array, Array]:
+        """Cotangents of the vertices of the column and of the distance, from those of the vertices of the result."""
+
+buffer: _Buffer
+"""{buffer}"""
 
 class _UnionArea:
     __name__: str
@@ -434,7 +454,7 @@ def polygons(verb):
 
 
 def stubs():
-    of = {name: inspect.cleandoc(getattr(geograd, name).__doc__) for name in ("union_area", "convex_hull", "procrustes")}
+    of = {name: inspect.cleandoc(getattr(geograd, name).__doc__) for name in ("buffer", "union_area", "convex_hull", "procrustes")}
     lines = [HEAD.format(doc=geograd.__doc__, **of, item=ITEM, kind="kind: Kind = ..., ").replace("Report = _core.Report\n", "")]
     for name, count in ELEMENTARY.items():
         symbolic = ["x: Symbol"] if count == 1 else ["a: Symbol, b: Union[Symbol, float]", "a: float, b: Symbol"]

@@ -1,6 +1,7 @@
 //! The module `geograd._core`.
 #![forbid(unsafe_code)]
 mod arrays;
+mod buffered;
 mod call;
 mod camera;
 mod catalogue;
@@ -56,6 +57,7 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<shapes::Paths>()?;
     m.add_class::<polygons::Polygons>()?;
     m.add_class::<overlay::Overlay>()?;
+    m.add_class::<buffered::Buffer>()?;
     m.add_class::<symbol::Symbol>()?;
     m.add_class::<symbol::Truth>()?;
     m.add_class::<verb::Verb>()?;
@@ -89,6 +91,7 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_function(wrap_pyfunction!(separation::nearest_edges, m)?)?;
     m.add_function(wrap_pyfunction!(separation::polygons_hold, m)?)?;
     m.add_function(wrap_pyfunction!(overlay::polygon_overlay, m)?)?;
+    m.add_function(wrap_pyfunction!(buffered::polygon_buffer, m)?)?;
     m.add_function(wrap_pyfunction!(overlay::polygon_union_all, m)?)?;
     m.add_function(wrap_pyfunction!(samples::samples, m)?)?;
     m.add_function(wrap_pyfunction!(samples::hard_samples, m)?)?;

@@ -15,6 +15,7 @@ import os as _os
 
 from . import _core, assignment, metric, suppression
 from ._core import WGSL, Program, Shape, Symbol, Truth, __version__, get_num_threads, set_num_threads
+from ._buffer import buffer
 from ._camera import sees
 from ._check import Reports, check
 from . import _elementary
@@ -40,7 +41,7 @@ __all__ = sorted(
     [
         "Clouds", "Function", "Paths", "Polygons", "Polylines", "Program", "Reports", "Rings", "Shape", "Symbol", "Truth", "Verb",
         "WGSL", "__version__", "assignment", "metric", "suppression",
-        "check", "clip", "contains", "convex_hull", "function", "get_num_threads", "procrustes", "sees", "set_num_threads",
+        "buffer", "check", "clip", "contains", "convex_hull", "function", "get_num_threads", "procrustes", "sees", "set_num_threads",
         "union_area", "where", *_ELEMENTARY, *_CLASSES, *_OVERLAYS, *_VERBS,
     ]
 )

@@ -82,6 +82,11 @@ class Paths:
     `paths[i]` is an array of the vertices of one, `paths[i:j]`, and places or truths as an array, are paths.
     """
     def __init__(self, vertices: ArrayLike, offsets: ArrayLike) -> None: ...
+    def buffer(
+        self, distance: ArrayLike, *, join: Literal["round", "mitre", "bevel"] = ..., limit: float = ..., end: Literal["round", "flat", "square"] = ...,
+        chords: int = ..., tolerance: Optional[float] = ..., fill: Fill = ..., valid: bool = ...,
+    ) -> Polygons:
+        """The polygons grown or shrunk by a distance."""
     @property
     def vertices(self) -> Array: ...
     @property
@@ -152,6 +157,36 @@ class _Overlay:
     def __call__(self, a: Any, b: Any, *, fill: Fill = ..., valid: bool = ...) -> Polygons: ...
     def vjp(self, a: Any, b: Any, upstream: ArrayLike, *, fill: Fill = ..., valid: bool = ...) -> tuple[Array, Array]:
         """Cotangents of the vertices of both columns, from those of the vertices of the result."""
+
+class _Buffer:
+    __name__: str
+    def __call__(
+        self, column: Any, distance: ArrayLike, *, join: Literal["round", "mitre", "bevel"] = ..., limit: float = ..., end: Literal["round", "flat", "square"] = ...,
+        chords: int = ..., tolerance: Optional[float] = ..., fill: Fill = ..., valid: bool = ...,
+    ) -> Polygons: ...
+    def vjp(
+        self, column: Any, distance: ArrayLike, upstream: ArrayLike, *, join: Literal["round", "mitre", "bevel"] = ..., limit: float = ..., end: Literal["round", "flat", "square"] = ...,
+        chords: int = ..., tolerance: Optional[float] = ..., fill: Fill = ..., valid: bool = ...,
+    ) -> tuple[Array, Array]:
+        """Cotangents of the vertices of the column and of the distance, from those of the vertices of the result."""
+
+buffer: _Buffer
+"""Polygons grown (a positive distance) or shrunk (a negative one), or the surroundings of open paths, row by row.
+
+``distance`` is one number, or one per row. Corners that open are joined by an arc (``join="round"``), by both edges up
+to their crossing (``"mitre"``, cut ``limit`` distances from the corner) or by a straight line (``"bevel"``). Paths end
+in half a circle (``end="round"``), a line through the end (``"flat"``) or one a distance beyond it (``"square"``).
+An arc has ``chords`` per quarter of a turn; with a ``tolerance``, as many as keep them within that length of the arc.
+
+A polygon may be of any kind, crossing itself included: ``fill`` says what is inside. The distance zero gives the
+polygon itself, a distance that leaves nothing a polygon without parts; paths have a positive distance, or no parts.
+
+The vertices of the result have derivatives by those of the column and by the distance (``vjp``). Edges of it may
+cross by a rounding; with ``valid=True`` it is valid by the OGC's rules, as :func:`geograd.union` says.
+
+>>> square = geograd.Polygons.of([[(0, 0), (4, 0), (4, 4), (0, 4)]])
+>>> geograd.area(geograd.buffer(square, 1.0, join="mitre"))
+array([36.])"""
 
 class _UnionArea:
     __name__: str

@@ -193,6 +193,12 @@ class Polygons(_core.Polygons):
         nothing = Polygons(np.zeros((0, 2), self.vertices.dtype), ([0], [0], [0, 0]))
         return type(self)(_core.polygon_overlay("union", self, nothing, fill, True)[0])
 
+    def buffer(self, distance, **style):
+        """The polygons grown or shrunk by a distance: see :func:`geograd.buffer`."""
+        import geograd
+
+        return geograd.buffer(self, distance, **style)
+
     def tolist(self):
         """The polygons as lists of parts, each a list of rings of shape (V, 2)."""
         rings, parts, polygons = self.offsets

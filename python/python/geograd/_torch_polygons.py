@@ -6,7 +6,7 @@ import numpy as np
 import torch
 
 import geograd
-from geograd import _columns, _core, _formulas, _polygons
+from geograd import _buffer, _columns, _core, _formulas, _polygons
 
 
 def _checked(cls, vertices):
@@ -283,6 +283,42 @@ class Overlay:
         made, record = _core.polygon_overlay(self.__name__, a.column, b.column, fill, valid)
         vertices = _Overlay.apply(record, made, a.vertices, b.vertices)
         return Polygons(vertices, made)
+
+
+class _Buffer(torch.autograd.Function):
+    @staticmethod
+    def forward(ctx, record, made, vertices, distance):
+        ctx.record = record
+        ctx.save_for_backward(vertices, distance)
+        return torch.from_numpy(np.array(made.vertices))
+
+    @staticmethod
+    def backward(ctx, bar):
+        return None, None, *_BufferSlope.apply(ctx.record, bar, *ctx.saved_tensors)
+
+
+class _BufferSlope(torch.autograd.Function):
+    """Its cotangents, which depend on the vertices in a way that the library does not differentiate."""
+
+    @staticmethod
+    def forward(ctx, record, bar, vertices, distance):
+        by_vertices, by_distance = _buffer.pulled(record, _array(bar), tuple(distance.shape))
+        return _tensor(by_vertices).to(vertices.dtype), torch.as_tensor(by_distance).to(distance.dtype)
+
+    @staticmethod
+    def backward(ctx, *ups):
+        raise TypeError("the vertices of an offset have no second derivatives, only first ones")
+
+
+@torch.compiler.disable
+def buffer(column, distance, **style):
+    """Polygons grown or shrunk by a distance, or the surroundings of polylines: see :func:`geograd.buffer`. The vertices of
+    the result are a tensor, differentiable by those of the column and by the distance."""
+    if not isinstance(column, Column):
+        column = (Polylines if isinstance(column, geograd.Polylines) else Polygons).of(column)
+    distance = torch.as_tensor(distance, dtype=column.vertices.dtype)
+    made, record = geograd.buffer._of(column.column, _array(distance.detach()), **style)
+    return Polygons(_Buffer.apply(record, made, column.vertices, distance), made)
 
 
 OVERLAYS = {name: Overlay(name) for name in _polygons.OVERLAYS}

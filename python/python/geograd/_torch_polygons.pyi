@@ -54,6 +54,12 @@ class _Overlay:
     __name__: str
     def __call__(self, a: Any, b: Any, *, fill: Fill = ..., valid: bool = ...) -> Polygons: ...
 
+def buffer(
+    column: Any, distance: Union[float, torch.Tensor], *, join: Literal["round", "mitre", "bevel"] = ..., limit: float = ...,
+    end: Literal["round", "flat", "square"] = ..., chords: int = ..., tolerance: float = ..., fill: Fill = ..., valid: bool = ...,
+) -> Polygons:
+    """Polygons grown or shrunk by a distance, or the surroundings of polylines: differentiable by vertices and distance."""
+
 difference: _Overlay
 intersection: _Overlay
 symmetric_difference: _Overlay

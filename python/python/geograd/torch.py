@@ -29,15 +29,15 @@ from geograd._losses import (
     CIoULoss, DIoULoss, EIoULoss, GIoULoss, GWDLoss, IoULoss, KFIoULoss, KLDLoss, Loss, ProbIoULoss,
 )
 from geograd._torch_polygons import (
-    Clouds, Paths, Polygons, Polylines, Rings, contains, difference, intersection, symmetric_difference, union, union_area,
+    Clouds, Paths, Polygons, Polylines, Rings, buffer, contains, difference, intersection, symmetric_difference, union, union_area,
 )
 from geograd._torch_verbs import *  # noqa: F403
 from geograd._torch_verbs import __all__ as _VERBS, Verb
 
 __all__ = [
     "check", "function", "Loss", "IoULoss", "GIoULoss", "DIoULoss", "CIoULoss", "EIoULoss", "ProbIoULoss", "KFIoULoss",
-    "GWDLoss", "KLDLoss", "Clouds", "Paths", "Polygons", "Polylines", "Rings", "Verb", "contains", "difference", "intersection",
-    "symmetric_difference", "union", "union_area", *_VERBS,
+    "GWDLoss", "KLDLoss", "Clouds", "Paths", "Polygons", "Polylines", "Rings", "Verb", "buffer", "contains", "difference",
+    "intersection", "symmetric_difference", "union", "union_area", *_VERBS,
 ]
 
 
