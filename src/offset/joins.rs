@@ -76,7 +76,7 @@ fn plan(
         let mut corners: Vec<_> = walk.iter().map(|&k| (k, Bend::Straight)).collect();
         let ways = directions(points, &corners);
         let mut costs = vec![0.0; n];
-        for k in 0..n {
+        for (k, (_, bend)) in corners.iter_mut().enumerate() {
             let before = (k + n - 1) % n;
             let [(u, _), (w, _)] = [ways[before], ways[k]];
             let is_end = is_path && walk[before] == walk[(k + 1) % n];
@@ -86,7 +86,7 @@ fn plan(
             } else {
                 Scalar::atan2(turn.abs(), u.dot(w))
             };
-            corners[k].1 = if is_end || turn > 0.0 || (turn == 0.0 && sweep > 0.0) {
+            *bend = if is_end || turn > 0.0 || (turn == 0.0 && sweep > 0.0) {
                 opening(is_end, sweep, step, style)
             } else if turn < 0.0 {
                 costs[k] = r * Scalar::tan(sweep / 2.0);
@@ -96,9 +96,9 @@ fn plan(
             };
             // Without a distance the sides move as their crossings do.
             if r == 0.0 && sweep < FRAC_PI_2 * 1.99 {
-                corners[k].1 = Bend::Tip;
+                *bend = Bend::Tip;
             }
-            if let Bend::Round(count) = corners[k].1 {
+            if let Bend::Round(count) = *bend {
                 most = most.max(count);
             }
         }
@@ -106,10 +106,10 @@ fn plan(
         // piece that falls away turns once around places that both rectangles cover.
         let fits =
             |k: usize, other: usize, edge: usize| costs[k] + costs[other] < ways[edge].1 * ROOM;
-        for k in 0..n {
+        for (k, (_, bend)) in corners.iter_mut().enumerate() {
             let (before, after) = ((k + n - 1) % n, (k + 1) % n);
-            if corners[k].1 == Bend::Inner && fits(k, before, before) && fits(k, after, k) {
-                corners[k].1 = Bend::Tip;
+            if *bend == Bend::Inner && fits(k, before, before) && fits(k, after, k) {
+                *bend = Bend::Tip;
             }
         }
         plan.walks.push(corners);

@@ -3,6 +3,10 @@ use crate::{Polygon, Scalar, Vec2};
 
 /// The raw vertices at a vertex of a walk.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(
+    not(feature = "boolean"),
+    expect(dead_code, reason = "a replay needs no feature, its record does")
+)]
 pub(crate) enum Bend {
     /// In line with both neighbours: one vertex.
     Straight,

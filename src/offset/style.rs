@@ -87,7 +87,7 @@ impl OffsetStyle {
             Chords::Within(tolerance) => {
                 // The middle of a chord is radius · (1 − cos half) inside.
                 let rest = 1.0 - tolerance / radius;
-                if !(rest > 0.0) {
+                if rest <= 0.0 {
                     return 1;
                 }
                 let sine = ((tolerance / radius) * (1.0 + rest)).sqrt();
