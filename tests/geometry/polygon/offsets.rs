@@ -541,7 +541,7 @@ fn slots_close_and_plates_vanish() {
     let style = joined(MITRE);
     let slope = |d: f64| {
         let trace = offset_search(&plate, d, &style).unwrap();
-        offset_area_vjp(&plate, d, &trace, 1.0, &mut vec![Vec2::zero(); 8])
+        offset_area_vjp(&plate, d, &trace, 1.0, &mut [Vec2::zero(); 8])
     };
     let (before, at, after) = (slope(0.5 - 1e-9), slope(0.5), slope(0.5 + 1e-9));
     near(before.0, at.0, 1e-7);
