@@ -132,6 +132,7 @@ pub mod intersection3;
 pub mod iou;
 pub mod iou3;
 pub mod measure;
+pub mod mesh;
 pub mod metric;
 pub mod motion;
 pub mod offset;

@@ -14,6 +14,7 @@ mod kitti;
 mod kitti_labels;
 mod libraries;
 mod matches;
+mod meshes;
 mod nan;
 mod nan_of_functions;
 mod nested;

@@ -7,7 +7,7 @@ mod curved_draw;
 mod curved_slopes;
 mod depths;
 mod distances;
-mod draw;
+pub mod draw;
 mod endless_solids;
 mod exact;
 mod far_bounds;

@@ -1,0 +1,6 @@
+//! Meshes of triangles: queries against every face one by one, derivatives against differences.
+mod closest_faces;
+mod mesh_faults;
+pub mod mesh_shapes;
+mod pierced_faces;
+mod query_slopes;
