@@ -32,6 +32,7 @@
 //! | replace a call of another detection library | [`detection`] |
 //! | measure distances, closest points and penetration of shapes in space | [`distance3`] |
 //! | cast rays in space, cut segments | [`intersection3`] |
+//! | measure distances from meshes of triangles, cast rays at them | [`mesh`] |
 //! | find when moving bodies meet, and how near they come | [`motion`] |
 //! | find the boxes that contain points | [`kernels::points`] |
 //! | score boxes that may be apart: GIoU, DIoU, CIoU and the like | [`iou`] |
