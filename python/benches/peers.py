@@ -1,6 +1,6 @@
 """Times of polygons, paths and matching, and of shapely, scipy and torchvision, on one thread.
 
-    taskset -c 1 python peers.py contains lengths distances matching conversions boxes
+    taskset -c 1 python peers.py contains lengths distances separations matching conversions boxes
 
 A column is the least of several times of the processor, taken in turns; above 1 in the last geograd is faster.
 """
@@ -93,6 +93,21 @@ def distances():
                 line(f"points to one of {vertices}, {name}", count, theirs, lambda: geograd.distance(place, ours))
 
 
+def separations():
+    import shapely
+
+    draw = np.random.default_rng(1)
+    for vertices, count in ((4, 10_000), (12, 10_000), (100, 1000), (1000, 100)):
+        # Two of a pair are as far apart as they are large.
+        places = draw.uniform(0, 100, (count, 2))
+        columns = [np.stack([star(vertices, 2 * k + side, at + [3.0 * side, 0]) for k, at in enumerate(places)]) for side in (0, 1)]
+        theirs = [shapely.polygons(rings) for rings in columns]
+        offsets = np.arange(count + 1) * vertices
+        ours = [geograd.Polygons(rings.reshape(-1, 2), (offsets,)) for rings in columns]
+        np.testing.assert_allclose(geograd.distance(*ours), shapely.distance(*theirs))
+        line(f"polygons of {vertices} apart", count, lambda: shapely.distance(*theirs), lambda: geograd.distance(*ours))
+
+
 def matching():
     import torch
     from scipy.optimize import linear_sum_assignment
@@ -150,7 +165,7 @@ def boxes():
 
 def main(wanted):
     geograd.set_num_threads(1)
-    known = {f.__name__: f for f in (contains, lengths, distances, matching, conversions, boxes)}
+    known = {f.__name__: f for f in (contains, lengths, distances, separations, matching, conversions, boxes)}
     print(f"{'':36}{'items':>6}{'theirs, us':>12}{'ours, us':>12}{'ratio':>9}")
     for name in wanted or known:
         known[name]()
