@@ -9,7 +9,7 @@ use crate::offset::{
 use crate::polygon::{self, Polygon, Rings};
 use crate::{Scalar, Vec2};
 
-/// Writes the cotangents of the input of [`offset_replay`](crate::offset::offset_replay), one per vertex, from those of
+/// Writes the cotangents of the input of [`offset_replay`], one per vertex, from those of
 /// the vertices of the result, one ring after the other; returns the cotangent of the distance.
 ///
 /// The overlay passes a cotangent to the raw rings, each raw vertex to its corner and so to three vertices and the

@@ -88,7 +88,7 @@ fn strip() -> Owned {
         })
         .collect();
     let face = |k: u32| {
-        if k % 2 == 0 {
+        if k.is_multiple_of(2) {
             [k, k + 1, k + 2]
         } else {
             [k + 1, k, k + 2]
