@@ -22,7 +22,8 @@ type Ends = [[f64; 2]; 2];
 /// let (a, b) = (Aabb2::new(0.0, 0.0, 4.0, 4.0).corners(), Aabb2::new(6.0, 1.0, 7.0, 2.0).corners());
 /// let [a, b] = [&a, &b].map(|corners| EdgeBoxes::of(Rings::from(corners)));
 /// let nearest = a.nearest(&b).expect("both have edges");
-/// assert_eq!((nearest.distance, nearest.edges), (2.0, [1, 3]));
+/// // The corner at (6, 1) belongs to two edges; the first counts.
+/// assert_eq!((nearest.distance, nearest.edges), (2.0, [1, 0]));
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct EdgeBoxes<S> {
