@@ -4,7 +4,9 @@
 //! They are exact, rounded, rotated as a whole, or off the grid by a few roundings. Every identity names its verbs, and
 //! is tested for every pair of shapes that has rows of them.
 //!
-//! ```
+//! A program with this list compiles every row: the example takes a minute to build, and only its types are checked here.
+//!
+//! ```no_run,standalone_crate
 //! use geograd::kernels::identities;
 //! let asked = identities::all().find(|asked| asked.name() == "exchange of distance_obb2").expect("has rows");
 //! let fuzzed = asked.fuzz::<f64>(2000, 1);
