@@ -9,7 +9,7 @@ import sys
 
 import geograd
 import stubs_of_columns
-from geograd import _core, _points, _polygons
+from geograd import _core, _hulls, _points, _polygons
 from geograd._elementary import ELEMENTARY
 from geograd._verbs import describe, ordered
 
@@ -192,6 +192,19 @@ class _UnionArea:
 
 union_area: _UnionArea
 """{union_area}"""
+
+class HullMeasure:
+    """A measure of the convex hulls of sets of points of space."""
+    __name__: str
+    def __call__(self, points: Any) -> Array:
+        """The measure of every set."""
+    def vjp(self, points: Any, upstream: ArrayLike) -> Array:
+        """Cotangents of the points, from those of the measures."""
+    def value_grad(self, points: Any) -> tuple[Array, Array]:
+        """The measure of every set, one number, and its gradient by its points."""
+
+def hull_faces(points: Any) -> tuple[Array, Array, Array]:
+    """The faces of the convex hulls of sets of points of space: corners, where each face starts, where each hull starts."""
 
 class _ConvexHull:
     __name__: str
@@ -480,6 +493,8 @@ def stubs():
         lines.append("    @overload\n    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...")
         lines.append(f"    def value_grad(self, *arguments: Any, {ITEM}, **named: Any) -> tuple[Array, {gradients(name)}]: ...")
         lines.append(f"\n{name}: _{name}")
+    for name, own in sorted(_hulls.MEASURES.items()):
+        lines.append(f"\n{name}: HullMeasure\n" + documented(own.__doc__, ""))
     for name in sorted(_polygons.OVERLAYS):
         lines.append(f"\n{name}: _Overlay\n" + documented(_polygons.OVERLAYS[name].__doc__, ""))
     return "\n".join(lines) + "\n"

@@ -9,6 +9,7 @@ mod check;
 mod column;
 mod forms;
 mod grouped;
+mod hulls;
 mod machine;
 mod metric;
 mod nearest;
@@ -88,6 +89,8 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_function(wrap_pyfunction!(polygon_calls::polygon_pairs, m)?)?;
     m.add_function(wrap_pyfunction!(polygon_points::polygon_distance, m)?)?;
     m.add_function(wrap_pyfunction!(polygon_points::polygon_contains, m)?)?;
+    m.add_function(wrap_pyfunction!(hulls::hull_measure, m)?)?;
+    m.add_function(wrap_pyfunction!(hulls::hull_faces, m)?)?;
     m.add_function(wrap_pyfunction!(separation::nearest_edges, m)?)?;
     m.add_function(wrap_pyfunction!(separation::polygons_hold, m)?)?;
     m.add_function(wrap_pyfunction!(overlay::polygon_overlay, m)?)?;

@@ -156,13 +156,27 @@ fn held<'py, T: Format>(
             let area = own.layout.item(&vertices, place(areas, item));
             let other = place(others, item);
             let firsts = &firsts[rings[other]..rings[other + 1]];
-            let bounds = area.bounding();
-            let near = firsts
-                .iter()
-                .filter(|v| bounds.is_some_and(|own| own.contains(**v)));
-            near.into_iter().any(|&v| area.contains(v, Fill::EvenOdd))
+            firsts.iter().any(|&v| {
+                is_near(&vertices[own.layout.vertices(place(areas, item))], v)
+                    && area.contains(v, Fill::EvenOdd)
+            })
         });
         inside.collect::<Vec<bool>>()
     })?;
     Ok(PyArray1::from_vec(py, runs.concat()).into_any())
+}
+
+/// Returns `true` where a point is within the bounds of vertices.
+fn is_near<T: Format>(vertices: &[Vec2<T>], at: Vec2<T>) -> bool {
+    let sides = vertices
+        .iter()
+        .fold([false; 4], |[left, right, below, above], v| {
+            [
+                left | (v.x <= at.x),
+                right | (v.x >= at.x),
+                below | (v.y <= at.y),
+                above | (v.y >= at.y),
+            ]
+        });
+    sides == [true; 4]
 }

@@ -75,6 +75,33 @@ def test_many_vertices():
     assert one[0][0] == many[0][0] and (one[1][0] == many[1][0][:200]).all()
 
 
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+@pytest.mark.parametrize("count", [3, 7, 40, 300])
+def test_the_nearest_edges_are_those_of_all_pairs(count, dtype):
+    dice = np.random.default_rng(count)
+    a, b = (Polygons.of([star(dice, count, x) for x in places]) for places in ([0, 0, 1, 0.3], [2.3, 0.4, 9, -1.9]))
+    a, b = (Polygons(own.vertices.astype(dtype), own.offsets) for own in (a, b))
+    rings = [own.vertices.reshape(4, count, 2) for own in (a, b)]
+    sides = [np.concatenate([own, np.roll(own, -1, 1)], 2).reshape(-1, 4) for own in rings]
+    found = geograd.distance(a, b)
+    for k in range(4):
+        pairs = geograd.distance.all_pairs(*[own[k * count : (k + 1) * count] for own in sides], kind="Segment2")
+        inside = geograd.contains(a[k], b[k].vertices[:1])[0] or geograd.contains(b[k], a[k].vertices[:1])[0]
+        assert found[k] == (0 if inside else pairs.min())
+
+
+def test_all_pairs():
+    a, b = (Polygons.of(own) for own in apart(4, 6))
+    expected = [[geograd.distance(a[i], b[j])[0] for j in range(4)] for i in range(6)]
+    assert np.array_equal(geograd.distance.all_pairs(a, b[:4]), expected)
+    np.testing.assert_allclose(geograd.distance.all_pairs(b[:4], a), np.transpose(expected), rtol=1e-13)
+    points = np.random.default_rng(2).normal(size=(5, 2))
+    for verb in (geograd.distance, geograd.signed_distance, geograd.depth):
+        expected = [[verb(point[None], a[j])[0] for j in range(6)] for point in points]
+        assert np.array_equal(verb.all_pairs(geograd.Vec2(points), a), expected)
+    assert geograd.distance.all_pairs(a[:0], b).shape == (0, 6)
+
+
 def test_gradients_by_both_are_those_of_differences():
     p, q = (Polygons.of(own) for own in apart(2, 6))
     for a, b in ((p, q), (p[0], q), (p, q[:1])):

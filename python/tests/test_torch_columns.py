@@ -215,3 +215,26 @@ def test_refusals():
         geograd.torch.area(Rings(torch.zeros(4, 2), [0, 3, 2, 4]))
     with pytest.raises(TypeError, match="bfloat16"):
         Rings(torch.zeros(4, 2, dtype=torch.bfloat16), [0, 4])
+
+
+def test_all_pairs_of_columns():
+    dice = np.random.default_rng(9)
+    a, b = (own.detach() for own in columns())
+    x, y = (Polygons.of(own, requires_grad=True) for own in (a, b))
+    matrix, weights = geograd.torch.iou.all_pairs(x, y), tensor(dice.normal(size=(len(a), len(b))))
+    assert np.array_equal(matrix.detach(), geograd.iou.all_pairs(a, b)) and matrix.any()
+    (matrix * weights).sum().backward()
+    expected = sum(geograd.iou.vjp(a, b[j], weights[:, j].numpy(force=True))[0] for j in range(len(b)))
+    np.testing.assert_allclose(x.vertices.grad, expected, atol=1e-14)
+    again = lambda p, q: geograd.torch.iou.all_pairs(Polygons(p, a), Polygons(q, b))
+    leaves = [own.vertices.detach().clone().requires_grad_() for own in (x, y)]
+    assert torch.autograd.gradcheck(again, leaves) and torch.autograd.gradgradcheck(again, leaves)
+    rings = geograd.Rings.of([dice.normal(size=(6, 2)) for _ in range(3)])
+    lines = geograd.Polylines(rings.vertices, rings.offsets)
+    points = torch.tensor(dice.normal(size=(5, 2)), requires_grad=True)
+    for verb, cls, own in (("signed_distance", Rings, rings), ("distance", Polylines, lines)):
+        call = lambda p, v: getattr(geograd.torch, verb).all_pairs(p, cls(v, own))
+        given = points, torch.tensor(own.vertices, requires_grad=True)
+        expected = [[getattr(geograd, verb)(geograd.Vec2(p), own[j : j + 1])[0] for j in range(3)] for p in points.detach().numpy()]
+        np.testing.assert_allclose(call(*given).detach(), expected)
+        assert torch.autograd.gradcheck(call, given) and torch.autograd.gradgradcheck(call, given)

@@ -21,6 +21,7 @@ from ._check import Reports, check
 from . import _elementary
 from ._elementary import ELEMENTARY as _ELEMENTARY, clip, where
 from ._function import Function, function
+from ._hulls import MEASURES as _OF_HULLS, HullMeasure, hull_faces
 from ._points import convex_hull, procrustes
 from ._polygons import OVERLAYS as _OVERLAYS, Polygons, contains, union_area
 from ._shapes import CLASSES as _CLASSES, Clouds, Paths, Polylines, Rings
@@ -29,6 +30,7 @@ from ._verbs import VERBS as _VERBS, Verb
 globals().update(_CLASSES)
 globals().update(_VERBS)
 globals().update({name: getattr(_elementary, name) for name in _ELEMENTARY})
+globals().update(_OF_HULLS)
 globals().update(_OVERLAYS)
 
 # A child has none of its parent's threads, and must not find a lock held.
@@ -39,9 +41,9 @@ if hasattr(_os, "register_at_fork"):
 
 __all__ = sorted(
     [
-        "Clouds", "Function", "Paths", "Polygons", "Polylines", "Program", "Reports", "Rings", "Shape", "Symbol", "Truth", "Verb",
+        "Clouds", "Function", "HullMeasure", "Paths", "Polygons", "Polylines", "Program", "Reports", "Rings", "Shape", "Symbol", "Truth", "Verb",
         "WGSL", "__version__", "assignment", "metric", "suppression",
-        "buffer", "check", "clip", "contains", "convex_hull", "function", "get_num_threads", "procrustes", "sees", "set_num_threads",
-        "union_area", "where", *_ELEMENTARY, *_CLASSES, *_OVERLAYS, *_VERBS,
+        "buffer", "check", "clip", "contains", "convex_hull", "function", "get_num_threads", "hull_faces", "procrustes", "sees",
+        "set_num_threads", "union_area", "where", *_ELEMENTARY, *_CLASSES, *_OF_HULLS, *_OVERLAYS, *_VERBS,
     ]
 )

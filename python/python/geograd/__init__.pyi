@@ -201,6 +201,19 @@ class _UnionArea:
 union_area: _UnionArea
 """The area that two polygons cover together, item by item, in squared units of length."""
 
+class HullMeasure:
+    """A measure of the convex hulls of sets of points of space."""
+    __name__: str
+    def __call__(self, points: Any) -> Array:
+        """The measure of every set."""
+    def vjp(self, points: Any, upstream: ArrayLike) -> Array:
+        """Cotangents of the points, from those of the measures."""
+    def value_grad(self, points: Any) -> tuple[Array, Array]:
+        """The measure of every set, one number, and its gradient by its points."""
+
+def hull_faces(points: Any) -> tuple[Array, Array, Array]:
+    """The faces of the convex hulls of sets of points of space: corners, where each face starts, where each hull starts."""
+
 class _ConvexHull:
     __name__: str
     def __call__(self, points: Any) -> Polygons: ...
@@ -5482,6 +5495,30 @@ class _winding(Verb):
     def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 winding: _winding
+
+hull_centroid: HullMeasure
+"""The centre of the volume of convex hulls of points of space, of shape (N, 3); of a flat one of its area.
+
+    The hull is searched exactly. Gradients are those by all points, of the shape of the vertices; points that are no corners
+    have derivative zero.
+
+"""
+
+hull_surface: HullMeasure
+"""The area of all faces of convex hulls of points of space; of both sides of a flat one.
+
+    The hull is searched exactly. Gradients are those by all points, of the shape of the vertices; points that are no corners
+    have derivative zero.
+
+"""
+
+hull_volume: HullMeasure
+"""The volume of convex hulls of points of space, in cubed units of length; 0 of flat ones.
+
+    The hull is searched exactly. Gradients are those by all points, of the shape of the vertices; points that are no corners
+    have derivative zero.
+
+"""
 
 difference: _Overlay
 """The points in the first of two polygons and not in the second.
