@@ -68,6 +68,28 @@ pub fn greedy<S: Scalar<Mask = bool>>(pairs: &[Pair<S>]) -> Vec<Pair<S>> {
 /// # Ok::<(), geograd::Error>(())
 /// ```
 pub fn optimal(gains: &[f64], rows: usize, columns: usize) -> Result<Vec<(usize, usize)>, Error> {
+    optimal_until(gains, rows, columns, &|| false)
+}
+
+/// Returns what [`optimal`] does, or no pairs once `is_over` returns `true`: it is asked before every row.
+///
+/// # Errors
+///
+/// Those of [`optimal`].
+///
+/// ```
+/// use geograd::assignment::optimal_until;
+/// let gains = [0.8, 0.7, 0.9, 0.3];
+/// assert_eq!(optimal_until(&gains, 2, 2, &|| false)?, [(0, 1), (1, 0)]);
+/// assert_eq!(optimal_until(&gains, 2, 2, &|| true)?, []);
+/// # Ok::<(), geograd::Error>(())
+/// ```
+pub fn optimal_until(
+    gains: &[f64],
+    rows: usize,
+    columns: usize,
+    is_over: &dyn Fn() -> bool,
+) -> Result<Vec<(usize, usize)>, Error> {
     let expected = rows.checked_mul(columns).ok_or(Error::TooLarge)?;
     let argument = Argument::Named("gains");
     if gains.len() != expected {
@@ -90,12 +112,12 @@ pub fn optimal(gains: &[f64], rows: usize, columns: usize) -> Result<Vec<(usize,
     let scale = if largest > 1e290 { 1e-20 } else { 1.0 };
     let is_wide = rows <= columns;
     let mut pairs = match is_wide {
-        true => assigned(rows, columns, |row, costs| {
+        true => assigned(rows, columns, is_over, |row, costs| {
             for (cost, gain) in costs.iter_mut().zip(&gains[row * columns..][..columns]) {
                 *cost = -gain * scale;
             }
         }),
-        false => assigned(columns, rows, |column, costs| {
+        false => assigned(columns, rows, is_over, |column, costs| {
             for (cost, row) in costs.iter_mut().zip(gains.chunks_exact(columns)) {
                 *cost = -row[column] * scale;
             }
@@ -130,6 +152,27 @@ pub fn optimal(gains: &[f64], rows: usize, columns: usize) -> Result<Vec<(usize,
 /// # Ok::<(), geograd::Error>(())
 /// ```
 pub fn largest(pairs: &[Pair<f64>]) -> Result<Vec<Pair<f64>>, Error> {
+    largest_until(pairs, &|| false)
+}
+
+/// Returns what [`largest`] does, or fewer pairs once `is_over` returns `true`: it is asked before every index.
+///
+/// # Errors
+///
+/// Those of [`largest`].
+///
+/// ```
+/// use geograd::assignment::largest_until;
+/// use geograd::suppression::Pair;
+/// let all = [Pair { first: 0, second: 0, overlap: 0.8 }];
+/// assert_eq!(largest_until(&all, &|| false)?, all);
+/// assert_eq!(largest_until(&all, &|| true)?, []);
+/// # Ok::<(), geograd::Error>(())
+/// ```
+pub fn largest_until(
+    pairs: &[Pair<f64>],
+    is_over: &dyn Fn() -> bool,
+) -> Result<Vec<Pair<f64>>, Error> {
     if let Some(item) = pairs.iter().position(|pair| !pair.overlap.is_finite()) {
         return Err(Error::Invalid {
             argument: Argument::Named("pairs"),
@@ -149,7 +192,7 @@ pub fn largest(pairs: &[Pair<f64>]) -> Result<Vec<Pair<f64>>, Error> {
             let gain = &mut gains[row * columns + column];
             *gain = gain.max(pairs[pair].overlap);
         }
-        for (row, column) in optimal(&gains, rows, columns)? {
+        for (row, column) in optimal_until(&gains, rows, columns, is_over)? {
             let overlap = gains[row * columns + column];
             if overlap > 0.0 {
                 let (first, second) = (
@@ -265,6 +308,7 @@ const LANES: usize = 8;
 fn assigned(
     rows: usize,
     columns: usize,
+    is_over: &dyn Fn() -> bool,
     mut cost: impl FnMut(usize, &mut [f64]),
 ) -> Vec<(usize, usize)> {
     // Columns up to a whole number of lanes are infinitely far.
@@ -277,6 +321,9 @@ fn assigned(
     let mut row_of = vec![None; columns];
     let (mut search, mut path) = (Search::new(wide), Path::default());
     for new in 0..rows {
+        if is_over() {
+            return Vec::new();
+        }
         search.begin(&column_prices);
         path.clear();
         // A new row starts from no column.

@@ -139,6 +139,10 @@ pub(crate) fn examined<'a>(
         if let Some(tick) = sampling.tick {
             tick();
         }
+        if sampling.ends.is_some_and(|ends| ends()) {
+            report.stopped = true;
+            break;
+        }
         // A refused input costs some twenty times a good one: differences are repeated before they refuse.
         if without_news >= TIRED && sample + 1 < inputs.len() {
             report.stopped = true;

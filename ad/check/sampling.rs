@@ -21,6 +21,8 @@ pub struct Sampling<'a> {
     pub draws: bool,
     /// A function that is called after every sample, for a progress bar.
     pub tick: Option<&'a dyn Fn()>,
+    /// A function that is asked after every sample: the check ends once it returns `true`.
+    pub ends: Option<&'a dyn Fn() -> bool>,
     /// `true` if a derivative by hand must share an exact tie as duals do. Otherwise any element between the
     /// derivatives of both sides is right.
     pub shared_ties: bool,
@@ -50,6 +52,7 @@ impl Sampling<'_> {
             points: &[],
             draws: false,
             tick: None,
+            ends: None,
             shared_ties: false,
             resolution: None,
             roundings: None,

@@ -4,7 +4,7 @@ use crate::assignment;
 use crate::error::{Argument, Error, Field, Flaw};
 use crate::kernels::Groups;
 use crate::kernels::cpu::Cpu;
-use crate::kernels::cpu::work::in_parallel;
+use crate::kernels::cpu::work::{Interruption, in_parallel};
 use crate::metric::{self, Frame, Outcome, kitti, nuscenes};
 use crate::suppression::{Pair, invalid};
 use crate::{Real, Scalar};
@@ -179,7 +179,9 @@ impl Cpu {
         let split = GroupedPairs::new(pairs, groups, counts(groups))?;
         let of_piece = |piece: Range<usize>| {
             let from = split.places(&piece).map(|places| places.start);
-            let chosen = assignment::largest(&split.own(&piece))?;
+            let interruption = Interruption::current();
+            let own = split.own(&piece);
+            let chosen = assignment::largest_until(&own, &|| interruption.is_due())?;
             Ok(shifted(chosen, from).collect::<Vec<_>>())
         };
         let done: Result<Vec<_>, Error> = each(split.pieces(), of_piece).into_iter().collect();

@@ -416,21 +416,10 @@ pub fn written<'a, T: Number>(guard: &'a mut PyReadwriteArrayDyn<'_, T>) -> PyRe
 
 /// Returns offsets of groups or of paths: whole numbers that are not negative.
 pub fn offsets(py: Python<'_>, x: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<usize>> {
-    let array = py.import("numpy")?.call_method1("asarray", (x,))?;
-    let dtype = array.getattr("dtype")?;
-    let kind: String = dtype.getattr("kind")?.extract()?;
-    let axes: usize = array.getattr("ndim")?.extract()?;
-    let size: usize = array.getattr("size")?.extract()?;
-    if axes != 1 || !(kind == "i" || kind == "u" || size == 0) {
-        return Err(PyTypeError::new_err(format!(
-            "{name}: a list of whole numbers is needed, not an array of {dtype} with {axes} axes"
-        )));
-    }
-    let whole = match array.cast::<PyArray1<i64>>() {
+    // Columns keep their offsets so: a look at anything else takes as long as a hundred lengths.
+    let whole = match x.cast::<PyArray1<i64>>() {
         Ok(whole) if whole.is_c_contiguous() => whole.clone(),
-        _ => array
-            .call_method1("astype", (numpy::dtype::<i64>(py),))?
-            .cast_into::<PyArray1<i64>>()?,
+        _ => whole_numbers(py, x, name)?,
     };
     let whole = whole.readonly();
     let whole = whole
@@ -443,4 +432,28 @@ pub fn offsets(py: Python<'_>, x: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec
     }
     // None is negative, and no address has more bits than a pointer.
     Ok(whole.iter().map(|&x| x as usize).collect())
+}
+
+/// Returns whole numbers as an array without gaps.
+fn whole_numbers<'py>(
+    py: Python<'py>,
+    x: &Bound<'py, PyAny>,
+    name: &str,
+) -> PyResult<Bound<'py, PyArray1<i64>>> {
+    let array = py.import("numpy")?.call_method1("asarray", (x,))?;
+    let dtype = array.getattr("dtype")?;
+    let kind: String = dtype.getattr("kind")?.extract()?;
+    let axes: usize = array.getattr("ndim")?.extract()?;
+    let size: usize = array.getattr("size")?.extract()?;
+    if axes != 1 || !(kind == "i" || kind == "u" || size == 0) {
+        return Err(PyTypeError::new_err(format!(
+            "{name}: a list of whole numbers is needed, not an array of {dtype} with {axes} axes"
+        )));
+    }
+    match array.cast::<PyArray1<i64>>() {
+        Ok(whole) if whole.is_c_contiguous() => Ok(whole.clone()),
+        _ => Ok(array
+            .call_method1("astype", (numpy::dtype::<i64>(py),))?
+            .cast_into::<PyArray1<i64>>()?),
+    }
 }

@@ -167,6 +167,9 @@ impl FirstException {
             otherwise
         })
     }
+    fn is_some(&self) -> bool {
+        self.0.borrow().is_some()
+    }
     fn done<X>(self, found: X) -> PyResult<X> {
         match self.0.into_inner() {
             Some(error) => Err(error),
@@ -188,7 +191,13 @@ fn with<'py, X>(
             None => Ok(true),
         })
     };
+    // A traced function runs without Python, which runs handlers of signals only when it is asked.
+    let ends = || {
+        thrown.or((), || py.check_signals());
+        thrown.is_some()
+    };
     let sampling = Sampling {
+        ends: Some(&ends),
         hard: usize::from(asked.hard),
         points: &asked.points,
         resolution: Some(asked.resolution),

@@ -3,6 +3,7 @@ use crate::grouped::both;
 use crate::raised;
 use crate::threads::on_threads;
 use geograd::assignment;
+use geograd::kernels::dynamic::Interruption;
 use geograd::kernels::{Cpu, Groups};
 use geograd::metric::nuscenes::{self, Object, TruePositive};
 use geograd::metric::{self, Frame, Outcome, Point, Recalls, kitti};
@@ -78,9 +79,10 @@ pub fn assigned<'py>(
     let groups = offsets(py, groups.as_ref())?;
     let chosen = on_threads(py, pairs.len(), || {
         let own = groups.as_ref().map(|[a, b]| Groups::new(a, b));
+        let interruption = Interruption::current();
         match (own, is_greedy) {
             (None, true) => Ok(assignment::greedy(&pairs)),
-            (None, false) => assignment::largest(&pairs),
+            (None, false) => assignment::largest_until(&pairs, &|| interruption.is_due()),
             (Some(own), true) => Cpu::new().greedy_grouped(&pairs, own),
             (Some(own), false) => Cpu::new().largest_grouped(&pairs, own),
         }

@@ -49,7 +49,8 @@ impl<T: Format> EdgeLists<T> {
     }
 }
 
-/// For each item the distance of its nearest edges, infinite without edges, and the first vertex of each of both.
+/// For each item the distance of its nearest edges, infinite without edges, the first vertex of each of both, and whether
+/// the boxes around both have a point in common.
 #[pyfunction]
 pub fn nearest_edges<'py>(
     py: Python<'py>,
@@ -81,7 +82,7 @@ fn nearest<'py, T: Format>(
         });
     let work = both.iter().map(|own| own.vertices.len().max(count)).sum();
     let runs = in_runs(py, count, work, |run: Range<usize>| {
-        let mut found = (Vec::new(), Vec::new(), Vec::new());
+        let mut found = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let mut rooms = [EdgeBoxes::default(), EdgeBoxes::default()];
         for item in run {
             for ((room, own), shared) in rooms.iter_mut().zip(&both).zip(&shared) {
@@ -99,19 +100,23 @@ fn nearest<'py, T: Format>(
             });
             found.1.push(of_a);
             found.2.push(of_b);
+            found.3.push(p.is_near(q));
         }
         found
     })?;
     let (mut distances, mut of_a, mut of_b) = (Vec::new(), Vec::new(), Vec::new());
-    for (distance, a, b) in runs {
+    let mut are_near = Vec::new();
+    for (distance, a, b, is_near) in runs {
         distances.extend(distance);
         of_a.extend(a);
         of_b.extend(b);
+        are_near.extend(is_near);
     }
     let arrays = (
         PyArray1::from_vec(py, distances),
         PyArray1::from_vec(py, of_a),
         PyArray1::from_vec(py, of_b),
+        PyArray1::from_vec(py, are_near),
     );
     Ok(arrays.into_pyobject(py)?.into_any())
 }

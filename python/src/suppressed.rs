@@ -4,6 +4,7 @@ use crate::raised;
 use crate::threads::on_threads;
 use geograd::ad::adjoint::suppression::soft_vjp;
 use geograd::assignment;
+use geograd::kernels::dynamic::Interruption;
 use geograd::suppression::{Decay, Kept, Rules, cluster, matrix, soft_search};
 use numpy::{PyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyKeyError, PyValueError};
@@ -93,7 +94,10 @@ pub fn assigned_matrix<'py>(
 ) -> PyResult<(Array<'py, i64>, Array<'py, i64>)> {
     let (rows, columns) = (gains.shape()[0], gains.shape()[1]);
     let numbers = gains.as_slice()?;
-    let found = py.detach(|| assignment::optimal(numbers, rows, columns));
+    let found = on_threads(py, numbers.len(), || {
+        let interruption = Interruption::current();
+        assignment::optimal_until(numbers, rows, columns, &|| interruption.is_due())
+    })?;
     let found = found.map_err(raised)?;
     Ok((
         PyArray1::from_iter(py, found.iter().map(|pair| pair.0 as i64)),

@@ -18,6 +18,10 @@ CALLS = {
     "suppression": "geograd.iou.suppress(thin, scores, 0.9)",
     "function": "own.row_max(c, c)",
     "polygons": "geograd.contains(ring, points)",
+    "groups": "geograd.iou.row_max(a, a, groups=(halves, halves))",
+    "assignment of a matrix": "geograd.assignment.optimal(gains)",
+    "assignment of groups": "geograd.assignment.largest(pairs, (frame, frame))",
+    "check": "geograd.check(heavy, samples=n, quiet=True)",
 }
 
 PROGRAM = """
@@ -38,6 +42,12 @@ PROGRAM = """
     turn = np.linspace(0, 6, 20000)
     zigzag = np.c_[np.cos(turn), np.where(np.arange(len(turn)) % 2, 9.0, -9.0)]
     ring = geograd.Rings(zigzag, [0, len(zigzag)])
+    halves = [0, n // 2, n]
+    # What every row wants most is what all others want, so that each path is long.
+    side = {side}
+    gains = np.outer(np.linspace(1, 2, side), np.linspace(1, 2, side))
+    frame = [0, side]
+    pairs = *np.divmod(np.arange(side * side), side), gains.reshape(-1)
 
     @geograd.function
     def own(p: 2, q: 2):
@@ -72,7 +82,9 @@ PROGRAM = """
 def test_calls_end_early(name, threads):
     # As many rows as a call takes more than a second for; a machine that is faster gets more.
     for count in (30_000, 120_000, 480_000):
-        program = textwrap.dedent(PROGRAM).format(count=count, threads=threads, call=CALLS[name])
+        program = textwrap.dedent(PROGRAM).format(
+            count=count, threads=threads, call=CALLS[name], side=count // 20 if "assignment" in name else 2
+        )
         # A process of its own, in which no thread of a library takes the signal.
         run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=300)
         if "interrupted" in run.stdout:

@@ -113,6 +113,19 @@ fn relate_all<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Relation<S> 
     joined((near, direction), deepest(a, b), bounded, origin, scale)
 }
 
+/// Returns the distance of two shapes without radii that have no point in common; `None` where they are so near that
+/// roundings might decide otherwise. It has the bits of [`relate`], which looks for a face that separates them, too.
+#[inline]
+pub(crate) fn apart<S: Scalar<Mask = bool>, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Option<S> {
+    let (a, b) = (a.core(), b.core());
+    let origin = a.anchor();
+    let scale = scale_of::<S>(a.extent(origin).most(b.extent(origin)));
+    let near = nearest(a.placed(origin, scale), b.placed(origin, scale)).mean();
+    let length = near.apart.length();
+    let is_far = length.above(S::rounding(16.0 * SLACK, 1));
+    is_far.then(|| length.over(scale).canonical())
+}
+
 /// Returns the relation of two cores by their nearest points, the direction from a to b there, and by the face that
 /// separates them best, relative to `origin` in units of `1 / scale`. `bounded` is `true` if one of them is bounded.
 #[cfg_attr(not(debug_assertions), inline(always))]

@@ -2,6 +2,7 @@
 use super::convex::Convex;
 use super::corners::Core;
 use super::edge::{Edge, reach, scale_of, size_of};
+use super::relation;
 use super::share::{Best, Carry};
 use crate::{Scalar, Segment2, Vec2};
 
@@ -118,6 +119,13 @@ pub fn closest_points_of_segments<S: Scalar>(
         along_a: t.canonical(),
         along_b: u.canonical(),
     }
+}
+
+/// Returns the distance of two segments that have no point in common; `None` where roundings might decide otherwise. It has
+/// the bits of [`distance`](super::distance).
+#[inline]
+pub(crate) fn distance_apart<S: Scalar<Mask = bool>>(a: Segment2<S>, b: Segment2<S>) -> Option<S> {
+    relation::apart(a, b)
 }
 
 /// The shortest segment from one shape to another, with the numbers that the derivatives of its length need.

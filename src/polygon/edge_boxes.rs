@@ -1,6 +1,8 @@
 //! The edges of two polygons that are nearest to each other, by boxes around stretches of edges.
+use super::box_ends::{Ends, NOWHERE, join, squared_gap};
+use super::nearest_few::{Candidates, beyond};
 use super::{Fill, Rings};
-use crate::distance::distance as between;
+use crate::distance::{distance as between, segments::distance_apart};
 use crate::shape::edges;
 use crate::{Scalar, Segment2, Vec2};
 
@@ -9,9 +11,6 @@ const FEW: usize = 4;
 /// A bound of the rounding errors of the distance of two edges, in units of ε times the largest difference of two of
 /// their coordinates: eight products and quotients of a few roundings each.
 const SLACK: f64 = 64.0;
-
-/// The ends of a box: the least and the largest `x`, then those of `y`.
-type Ends = [[f64; 2]; 2];
 
 /// Edges with boxes around stretches of them, for distances from other edges. Neighbours in the list should be near each
 /// other, as the edges of a ring are.
@@ -87,13 +86,27 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
     #[must_use]
     pub fn nearest(&self, other: &Self) -> Option<NearestEdges<S>> {
         let (&whole, &others) = (self.boxes.last()?, other.boxes.last()?);
+        let spread = spread(whole, others);
         let mut search = Search {
             both: [self, other],
             best: None,
             square: f64::INFINITY,
             limit: f64::INFINITY,
-            slack: SLACK * S::format().epsilon() * spread(whole, others),
+            slack: SLACK * S::format().epsilon() * spread,
         };
+        let mut few = Candidates::new();
+        // Approximate distances have roundings of their own.
+        let slack = 2.0 * search.slack;
+        let wholes = [whole, others];
+        if let Some(least) = few.find(&self.edges, &other.edges, wholes, spread, slack) {
+            for ([i, j], is_apart) in few.within(beyond(least, slack)) {
+                search.compare(i, j, is_apart);
+                if search.has_met() {
+                    break;
+                }
+            }
+            return search.best;
+        }
         let tops = [self, other].map(|own| Node {
             level: own.levels.len() - 1,
             place: 0,
@@ -124,6 +137,12 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
             left[first..].sort_by(|(one, _), (another, _)| another.total_cmp(one));
         }
         search.best
+    }
+    /// Returns `true` where the boxes around both have a point in common. One polygon contains a part of another only then.
+    #[must_use]
+    pub fn is_near(&self, other: &Self) -> bool {
+        let both = self.boxes.last().zip(other.boxes.last());
+        both.is_some_and(|(&a, &b)| squared_gap(a, b) <= 0.0)
     }
     fn at(&self, node: Node) -> Ends {
         self.boxes[self.levels[node.level] + node.place]
@@ -178,20 +197,26 @@ impl<S: Scalar<Mask = bool>> Search<'_, S> {
                 self.bound(squared_distance(edge[0], other[0]));
             }
             for (j, ends) in others.clone().zip(ends) {
-                if squared_gap(seen, ends) <= self.limit {
-                    self.compare(i, j);
+                let gap = squared_gap(seen, ends);
+                if gap <= self.limit {
+                    self.compare(i, j, gap > 0.0);
                 }
             }
         }
+        self.has_met()
+    }
+    /// Returns `true` once two edges meet.
+    fn has_met(&self) -> bool {
         self.best
             .is_some_and(|best| best.distance.at_most(S::zero()))
     }
-    /// Compares two edges with the nearest ones.
-    fn compare(&mut self, i: usize, j: usize) {
+    /// Compares two edges with the nearest ones. Edges that are apart take half the time.
+    fn compare(&mut self, i: usize, j: usize, is_apart: bool) {
         let [a, b] = [self.both[0].edges[i], self.both[1].edges[j]]
             .map(|[from, to]| Segment2::new(from, to));
+        let apart = is_apart.then(|| distance_apart(a, b)).flatten();
         let found = NearestEdges {
-            distance: between(a, b),
+            distance: apart.unwrap_or_else(|| between(a, b)),
             edges: [i, j],
         };
         let is_nearer = self.best.is_none_or(|best| {
@@ -209,18 +234,9 @@ impl<S: Scalar<Mask = bool>> Search<'_, S> {
     fn bound(&mut self, square: f64) {
         if square < self.square {
             self.square = square;
-            let far = square.sqrt() * (1.0 + 8.0 * f64::EPSILON) + self.slack;
-            self.limit = far * far * (1.0 + 8.0 * f64::EPSILON) + f64::MIN_POSITIVE;
+            self.limit = beyond(square, self.slack);
         }
     }
-}
-
-/// A box without points.
-const NOWHERE: Ends = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
-
-#[inline(always)]
-fn join(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
-    [a[0].min(b[0]), a[1].max(b[1])]
 }
 
 /// Returns the box around edges; everything in a format that has no exact value as `f64`.
@@ -232,14 +248,6 @@ fn around<S: Scalar>(edges: &[[Vec2<S>; 2]]) -> Ends {
     ends.fold(NOWHERE, |[x, y], end| {
         [join(x, seen(end.x)), join(y, seen(end.y))]
     })
-}
-
-/// Returns the squared distance of two boxes.
-#[inline(always)]
-fn squared_gap(a: Ends, b: Ends) -> f64 {
-    let gap = |a: [f64; 2], b: [f64; 2]| (a[0] - b[1]).max(b[0] - a[1]).max(0.0);
-    let (x, y) = (gap(a[0], b[0]), gap(a[1], b[1]));
-    x * x + y * y
 }
 
 /// Returns the largest difference of two coordinates of the points of two boxes.
@@ -275,10 +283,11 @@ pub fn distance<'a, S: Scalar<Mask = bool>>(
     b: impl Into<Rings<'a, S>>,
 ) -> S {
     let (a, b) = (a.into(), b.into());
-    let nearest = EdgeBoxes::of(a).nearest(&EdgeBoxes::of(b));
-    match nearest {
+    let boxes = [a, b].map(EdgeBoxes::of);
+    let is_near = boxes[0].is_near(&boxes[1]);
+    match boxes[0].nearest(&boxes[1]) {
         None => S::largest(),
-        Some(_) if a.holds_a_ring_of(b) || b.holds_a_ring_of(a) => S::zero(),
+        Some(_) if is_near && (a.holds_a_ring_of(b) || b.holds_a_ring_of(a)) => S::zero(),
         Some(nearest) => nearest.distance,
     }
 }

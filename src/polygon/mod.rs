@@ -13,9 +13,11 @@
 //!   are inside.
 //!
 //! The vertices of all rings are numbered one ring after the other: so are their cotangents.
+mod box_ends;
 mod edge_boxes;
 mod located;
 mod measure;
+mod nearest_few;
 mod parts;
 mod sides;
 pub(crate) mod slabs;

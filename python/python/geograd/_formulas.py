@@ -82,7 +82,7 @@ def choices(of, columns):
     import geograd
 
     value = np.asarray(getattr(geograd, of.verb)(*columns))
-    _, *edges = _separation.nearest(*[_outline(*own) for own in zip(of.layouts, columns)], of.count)
+    _, *edges, _ = _separation.nearest(*[_outline(*own) for own in zip(of.layouts, columns)], of.count)
     return [np.sign(value), *edges]
 
 

@@ -87,7 +87,7 @@ def outline(x):
 
 
 def nearest(a, b, count):
-    """The nearest edges of two outlines, item by item: distances, and a place of each; infinite without edges."""
+    """The nearest edges of two outlines, item by item: distances, infinite without edges, a place of each, whether bounds meet."""
     dtype = np.result_type(a.vertices, b.vertices)
     lists = [(np.ascontiguousarray(own.vertices, dtype), own.following, own.ends) for own in (a, b)]
     return _core.nearest_edges(*lists, count)
@@ -101,21 +101,22 @@ def separated(a, b):
     if counts[0] != counts[1] and 1 not in counts:
         raise ValueError(f"`b` has {counts[1]} rows where {counts[0]} are needed, or one, as many as `a`")
     count = _counted(*counts)
-    distance, edge_a, edge_b = nearest(a, b, count)
-    apart = np.flatnonzero((distance > 0) & np.isfinite(distance))
+    distance, edge_a, edge_b, are_near = nearest(a, b, count)
+    is_apart = (distance > 0) & np.isfinite(distance)
+    # One holds a part of the other only where their bounds meet.
+    asked = np.flatnonzero(is_apart & are_near)
     for area, own in ((a.area, b), (b.area, a)):
-        if area is not None and len(apart):
-            held = _core.polygons_hold(area, own.vertices[own.starts], own.rings, apart)
-            distance[apart[held]] = 0
-            apart = apart[~held]
+        if area is not None and len(asked):
+            held = _core.polygons_hold(area, own.vertices[own.starts], own.rings, asked)
+            distance[asked[held]] = 0
+            is_apart[asked[held]] = False
+            asked = asked[~held]
     # As the distance of a point from a polygon without parts.
     distance[np.isinf(distance)] = np.finfo(distance.dtype).max
     edges = distance.copy()
     for own in (a, b):
         if own.radius is not None:
             distance = np.maximum(distance - own.radius, 0)
-    is_apart = np.zeros(count, bool)
-    is_apart[apart] = True
     is_apart &= distance > 0
     return distance, edges, np.flatnonzero(is_apart), edge_a, edge_b
 

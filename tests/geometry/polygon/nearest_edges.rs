@@ -115,6 +115,54 @@ fn ties_on_a_grid_of_whole_numbers_take_the_first_edges() {
 }
 
 #[test]
+fn lists_of_any_length_have_the_distance_of_all_pairs() {
+    let mut dice = Dice(9);
+    // Up to 128 edges are compared without boxes, if few of them can be nearest.
+    for count in [3, 4, 5, 15, 16, 17, 40, 127, 128, 129, 200] {
+        for gap in [0.3, 1.9, 2.0, 2.1, 2.5, 40.0] {
+            let mut star = |x: f64| -> Polygon<f64> {
+                let turn = std::f64::consts::TAU / count as f64;
+                let vertex = |k: usize| {
+                    let (far, angle) = (dice.within(0.5, 1.0), turn * k as f64);
+                    at(x + far * angle.cos(), far * angle.sin())
+                };
+                made(&[(0..count).map(vertex).collect()])
+            };
+            let (a, b) = (star(0.0), star(gap));
+            checked(&a, &b);
+            checked(&b, &moved(&a, at(0.0, 3.0), 1.0));
+            // Edges of no length, and edges on one line.
+            let flat = moved(&a, at(gap, 0.0), 0.0);
+            checked(&flat, &a);
+            checked(&flat, &flat);
+            let line = (0..count).map(|k| at(gap + 2.0, f64::from(k as u32)));
+            checked(&made(&[line.collect()]), &a);
+        }
+    }
+}
+
+#[test]
+fn single_precision_has_the_distance_of_all_pairs() {
+    let mut dice = Dice(10);
+    for _ in 0..500 {
+        let mut ring = |x: f32| -> Vec<Vec2<f32>> {
+            let mut place = || dice.within(-1.0, 1.0) as f32;
+            (0..7).map(|_| Vec2::new(x + place(), place())).collect()
+        };
+        let (a, b) = (ring(1000.0), ring(1002.1));
+        let of = |ring: &[Vec2<f32>]| geograd::shape::edges(ring).collect::<Vec<_>>();
+        let found = EdgeBoxes::of_edges(of(&a)).nearest(&EdgeBoxes::of_edges(of(&b)));
+        let mut best = f32::INFINITY;
+        for [from, to] in of(&a) {
+            for [start, end] in of(&b) {
+                best = best.min(between(Segment2::new(from, to), Segment2::new(start, end)));
+            }
+        }
+        assert_eq!(found.map(|found| found.distance), Some(best));
+    }
+}
+
+#[test]
 fn holes_and_nothing() {
     let square =
         |low: f64, high: f64| vec![at(low, low), at(high, low), at(high, high), at(low, high)];

@@ -1,0 +1,223 @@
+//! The nearest edges of short lists: approximate distances of all pairs at once tell which pairs can be nearest.
+use super::box_ends::{Ends, NOWHERE, join, squared_gap};
+use crate::{Scalar, Vec2};
+
+/// The most edges of one list: longer ones are faster by boxes.
+const MOST: usize = 128;
+/// The most edges of one list that can be nearest.
+const ROOM: usize = 16;
+/// Differences of coordinates of which squares and products are far from the limits of the format.
+const ORDINARY: std::ops::Range<f64> = 1e-100..1e140;
+/// The squared length from which on a parameter along an edge has its digits. Shorter edges count as points.
+const LEAST: f64 = 1e-280;
+/// Roundings of the side on which a point lies of a line, in units of ε times the square of the largest difference.
+const SIDES: f64 = 64.0;
+
+/// Numbers of edges by axis, in the order of the list.
+type Plane = [[f64; ROOM]; 2];
+
+/// Edges that can be nearest.
+struct Lanes {
+    count: usize,
+    /// Their places in the list.
+    places: [usize; ROOM],
+    from: Plane,
+    to: Plane,
+    along: Plane,
+    /// The reciprocals of their squared lengths.
+    inverse: [f64; ROOM],
+}
+
+/// Pairs of edges that can be nearest to each other.
+pub(super) struct Candidates {
+    a: Lanes,
+    b: Lanes,
+    /// The approximate square of the distance of every pair; 0 where they may cross.
+    squares: [[f64; ROOM]; ROOM],
+}
+
+impl Candidates {
+    /// Creates room for pairs.
+    #[inline(always)]
+    pub fn new() -> Self {
+        const NONE: Lanes = Lanes {
+            count: 0,
+            places: [0; ROOM],
+            from: [[0.0; ROOM]; 2],
+            to: [[0.0; ROOM]; 2],
+            along: [[0.0; ROOM]; 2],
+            inverse: [0.0; ROOM],
+        };
+        Candidates {
+            a: NONE,
+            b: NONE,
+            squares: [[f64::INFINITY; ROOM]; ROOM],
+        }
+    }
+    /// Finds the candidates of two lists with a box around each, and returns the least of their squares; `None` of lists
+    /// that are too long, or of numbers too large or too small. `spread` is the largest difference of two coordinates,
+    /// `slack` a bound of the roundings of a distance.
+    pub fn find<S: Scalar>(
+        &mut self,
+        a: &[[Vec2<S>; 2]],
+        b: &[[Vec2<S>; 2]],
+        wholes: [Ends; 2],
+        spread: f64,
+        slack: f64,
+    ) -> Option<f64> {
+        if a.len().max(b.len()) > MOST || !ORDINARY.contains(&spread) {
+            return None;
+        }
+        // Vertices near each other bound the distance: the nearest one of b, from there that of a, and so on.
+        let (on_b, _) = nearest_start(b, wide(a.first()?[0]));
+        let (on_a, _) = nearest_start(a, on_b);
+        let (_, square) = nearest_start(b, on_a);
+        let limit = beyond(square, slack);
+        let seen = a.iter().map(|&edge| ends(edge));
+        let near = seen
+            .filter(|&own| squared_gap(own, wholes[1]) <= limit)
+            .fold(NOWHERE, |all, own| [0, 1].map(|k| join(all[k], own[k])));
+        let others = self.b.fill(b, near, limit)?;
+        let own = self.a.fill(a, others, limit)?;
+        Some(match squared_gap(own, others) > 0.0 {
+            true => self.measure::<false>(0.0),
+            false => self.measure::<true>(SIDES * f64::EPSILON * spread * spread),
+        })
+    }
+    /// Computes the squares of all pairs, and returns the least. Edges may cross if `MEET`.
+    #[inline(always)]
+    fn measure<const MEET: bool>(&mut self, slack: f64) -> f64 {
+        let (a, b) = (&self.a, &self.b);
+        // Pairs of edges fill the processor's lanes; those beyond the last one are points at the origin.
+        let count = b.count.next_multiple_of(2);
+        let mut all = f64::INFINITY;
+        for (i, squares) in self.squares.iter_mut().enumerate().take(a.count) {
+            let of = |plane: &Plane| [plane[0][i], plane[1][i]];
+            let (from, to, along) = (of(&a.from), of(&a.to), of(&a.along));
+            for (j, square) in squares.iter_mut().enumerate().take(count) {
+                let of = |plane: &Plane| [plane[0][j], plane[1][j]];
+                let (start, end, way) = (of(&b.from), of(&b.to), of(&b.along));
+                let ends_of_a = less(
+                    apart(from, start, way, b.inverse[j]),
+                    apart(to, start, way, b.inverse[j]),
+                );
+                let ends_of_b = less(
+                    apart(start, from, along, a.inverse[i]),
+                    apart(end, from, along, a.inverse[i]),
+                );
+                let near = less(ends_of_a, ends_of_b);
+                let may_cross = MEET
+                    && parts(from, along, start, end, slack) & parts(start, way, from, to, slack);
+                *square = if may_cross { 0.0 } else { near };
+            }
+            all = squares[..b.count].iter().copied().fold(all, less);
+        }
+        all
+    }
+    /// Returns the places in both lists of the pairs within a square, in order, and `true` of those that cannot cross.
+    pub fn within(&self, limit: f64) -> impl Iterator<Item = ([usize; 2], bool)> {
+        let (a, b) = (&self.a, &self.b);
+        let row = move |i: usize| {
+            let squares = self.squares[i][..b.count].iter().enumerate();
+            let near = squares.filter(move |&(_, &square)| square <= limit);
+            near.map(move |(j, &square)| ([a.places[i], b.places[j]], square > 0.0))
+        };
+        (0..a.count).flat_map(row)
+    }
+}
+
+impl Lanes {
+    /// Takes the edges within a squared distance of a box, and returns the box around them; `None` where they are too many.
+    #[inline(always)]
+    fn fill<S: Scalar>(
+        &mut self,
+        edges: &[[Vec2<S>; 2]],
+        others: Ends,
+        limit: f64,
+    ) -> Option<Ends> {
+        let mut whole = NOWHERE;
+        for (place, &edge) in edges.iter().enumerate() {
+            let own = ends(edge);
+            if squared_gap(own, others) > limit {
+                continue;
+            }
+            let k = self.count;
+            if k == ROOM {
+                return None;
+            }
+            let [from, to] = edge.map(wide);
+            for axis in 0..2 {
+                whole[axis] = join(whole[axis], own[axis]);
+                self.from[axis][k] = from[axis];
+                self.to[axis][k] = to[axis];
+                self.along[axis][k] = to[axis] - from[axis];
+            }
+            let length = square(to, from);
+            self.inverse[k] = if length > LEAST { 1.0 / length } else { 0.0 };
+            self.places[k] = place;
+            self.count = k + 1;
+        }
+        Some(whole)
+    }
+}
+
+/// Returns the square beyond which nothing within a slack of a squared distance lies.
+#[inline(always)]
+pub(super) fn beyond(square: f64, slack: f64) -> f64 {
+    let far = square.sqrt() * (1.0 + 8.0 * f64::EPSILON) + slack;
+    far * far * (1.0 + 8.0 * f64::EPSILON) + f64::MIN_POSITIVE
+}
+
+#[inline(always)]
+fn less(a: f64, b: f64) -> f64 {
+    if b < a { b } else { a }
+}
+#[inline(always)]
+fn wide<S: Scalar>(v: Vec2<S>) -> [f64; 2] {
+    [v.x, v.y].map(|x| x.widened().unwrap_or(f64::NAN))
+}
+#[inline(always)]
+fn square(a: [f64; 2], b: [f64; 2]) -> f64 {
+    let (x, y) = (a[0] - b[0], a[1] - b[1]);
+    x * x + y * y
+}
+
+/// Returns the box of an edge.
+#[inline(always)]
+fn ends<S: Scalar>(edge: [Vec2<S>; 2]) -> Ends {
+    let [from, to] = edge.map(wide);
+    [0, 1].map(|k| join([from[k]; 2], [to[k]; 2]))
+}
+
+/// Returns the start of an edge that is nearest to a point, and the square of its distance.
+#[inline(always)]
+fn nearest_start<S: Scalar>(edges: &[[Vec2<S>; 2]], at: [f64; 2]) -> ([f64; 2], f64) {
+    let starts = edges.iter().map(|&[from, _]| wide(from));
+    starts.fold((at, f64::INFINITY), |(best, least), from| {
+        let own = square(from, at);
+        if own < least {
+            (from, own)
+        } else {
+            (best, least)
+        }
+    })
+}
+
+/// Returns the approximate squared distance of a point from an edge.
+#[inline(always)]
+fn apart(at: [f64; 2], from: [f64; 2], along: [f64; 2], inverse: f64) -> f64 {
+    let (x, y) = (at[0] - from[0], at[1] - from[1]);
+    let t = (x * along[0] + y * along[1]) * inverse;
+    let t = if t > 0.0 { t } else { 0.0 };
+    let t = less(1.0, t);
+    let (x, y) = (x - t * along[0], y - t * along[1]);
+    x * x + y * y
+}
+
+/// Returns `true` unless two points surely lie on one side of the line of an edge.
+#[inline(always)]
+fn parts(from: [f64; 2], along: [f64; 2], p: [f64; 2], q: [f64; 2], slack: f64) -> bool {
+    let side = |at: [f64; 2]| along[0] * (at[1] - from[1]) - along[1] * (at[0] - from[0]);
+    let (p, q) = (side(p), side(q));
+    !((p > slack) & (q > slack) | (p < -slack) & (q < -slack))
+}
