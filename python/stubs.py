@@ -203,6 +203,12 @@ class HullMeasure:
     def value_grad(self, points: Any) -> tuple[Array, Array]:
         """The measure of every set, one number, and its gradient by its points."""
 
+def from_euler(order: str, angles: Any) -> Rotation3:
+    """{from_euler}"""
+
+def euler(rotation: Any, order: str) -> Any:
+    """{euler}"""
+
 def hull_faces(points: Any) -> tuple[Array, Array, Array]:
     """The faces of the convex hulls of sets of points of space: corners, where each face starts, where each hull starts."""
 
@@ -467,7 +473,7 @@ def polygons(verb):
 
 
 def stubs():
-    of = {name: inspect.cleandoc(getattr(geograd, name).__doc__) for name in ("buffer", "union_area", "convex_hull", "procrustes")}
+    of = {name: inspect.cleandoc(getattr(geograd, name).__doc__) for name in ("buffer", "union_area", "convex_hull", "procrustes", "euler", "from_euler")}
     lines = [HEAD.format(doc=geograd.__doc__, **of, item=ITEM, kind="kind: Kind = ..., ").replace("Report = _core.Report\n", "")]
     for name, count in ELEMENTARY.items():
         symbolic = ["x: Symbol"] if count == 1 else ["a: Symbol, b: Union[Symbol, float]", "a: float, b: Symbol"]

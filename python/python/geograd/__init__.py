@@ -20,6 +20,7 @@ from ._camera import sees
 from ._check import Reports, check
 from . import _elementary
 from ._elementary import ELEMENTARY as _ELEMENTARY, clip, where
+from ._euler import euler, from_euler
 from ._function import Function, function
 from ._hulls import MEASURES as _OF_HULLS, HullMeasure, hull_faces
 from ._points import convex_hull, procrustes
@@ -43,7 +44,7 @@ __all__ = sorted(
     [
         "Clouds", "Function", "HullMeasure", "Paths", "Polygons", "Polylines", "Program", "Reports", "Rings", "Shape", "Symbol", "Truth", "Verb",
         "WGSL", "__version__", "assignment", "metric", "suppression",
-        "buffer", "check", "clip", "contains", "convex_hull", "function", "get_num_threads", "hull_faces", "procrustes", "sees",
+        "buffer", "check", "clip", "contains", "convex_hull", "euler", "from_euler", "function", "get_num_threads", "hull_faces", "procrustes", "sees",
         "set_num_threads", "union_area", "where", *_ELEMENTARY, *_CLASSES, *_OF_HULLS, *_OVERLAYS, *_VERBS,
     ]
 )

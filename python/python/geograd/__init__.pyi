@@ -211,6 +211,20 @@ class HullMeasure:
     def value_grad(self, points: Any) -> tuple[Array, Array]:
         """The measure of every set, one number, and its gradient by its points."""
 
+def from_euler(order: str, angles: Any) -> Rotation3:
+    """The rotations of three angles in radians about the axes that the order names, each an axis of the body as the turns
+before have left it: ``"ZYX"`` takes yaw, pitch, roll. SciPy has the same capital letters.
+
+``angles`` are an array of shape ``(..., 3)``, or three numbers or symbols of a :class:`geograd.function`."""
+
+def euler(rotation: Any, order: str) -> Any:
+    """The three angles in radians of rotations about the axes that the order names, as :func:`geograd.from_euler` takes
+them: an array of shape ``(..., 3)``, or of symbols a tuple.
+
+The first and the third are from -pi to pi, the middle one from -pi/2 to pi/2, or from 0 to pi where the first and the
+third axis are equal. Exactly at either end of the middle one's range only the sum or the difference of the others is
+determined: they share it equally."""
+
 def hull_faces(points: Any) -> tuple[Array, Array, Array]:
     """The faces of the convex hulls of sets of points of space: corners, where each face starts, where each hull starts."""
 
