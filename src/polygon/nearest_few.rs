@@ -84,17 +84,18 @@ impl Candidates {
             false => self.measure::<true>(SIDES * f64::EPSILON * spread * spread),
         })
     }
-    /// Computes the squares of all pairs, and returns the least. Edges may cross if `MEET`.
+    /// Computes the squares of all pairs, and returns the least one of their ends, which bounds the distance. Edges may cross
+    /// if `MEET`.
     #[inline(always)]
     fn measure<const MEET: bool>(&mut self, slack: f64) -> f64 {
         let (a, b) = (&self.a, &self.b);
         // Pairs of edges fill the processor's lanes; those beyond the last one are points at the origin.
         let count = b.count.next_multiple_of(2);
-        let mut all = f64::INFINITY;
+        let mut least = [f64::INFINITY; ROOM];
         for (i, squares) in self.squares.iter_mut().enumerate().take(a.count) {
             let of = |plane: &Plane| [plane[0][i], plane[1][i]];
             let (from, to, along) = (of(&a.from), of(&a.to), of(&a.along));
-            for (j, square) in squares.iter_mut().enumerate().take(count) {
+            for (j, (square, least)) in squares.iter_mut().zip(&mut least).enumerate().take(count) {
                 let of = |plane: &Plane| [plane[0][j], plane[1][j]];
                 let (start, end, way) = (of(&b.from), of(&b.to), of(&b.along));
                 let ends_of_a = less(
@@ -109,10 +110,10 @@ impl Candidates {
                 let may_cross = MEET
                     && parts(from, along, start, end, slack) & parts(start, way, from, to, slack);
                 *square = if may_cross { 0.0 } else { near };
+                *least = less(*least, near);
             }
-            all = squares[..b.count].iter().copied().fold(all, less);
         }
-        all
+        least[..b.count].iter().copied().fold(f64::INFINITY, less)
     }
     /// Returns the places in both lists of the pairs within a square, in order, and `true` of those that cannot cross.
     pub fn within(&self, limit: f64) -> impl Iterator<Item = ([usize; 2], bool)> {
