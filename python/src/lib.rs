@@ -92,6 +92,7 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_function(wrap_pyfunction!(hulls::hull_measure, m)?)?;
     m.add_function(wrap_pyfunction!(hulls::hull_faces, m)?)?;
     m.add_function(wrap_pyfunction!(separation::nearest_edges, m)?)?;
+    m.add_function(wrap_pyfunction!(separation::polygons_apart, m)?)?;
     m.add_function(wrap_pyfunction!(separation::polygons_hold, m)?)?;
     m.add_function(wrap_pyfunction!(overlay::polygon_overlay, m)?)?;
     m.add_function(wrap_pyfunction!(buffered::polygon_buffer, m)?)?;

@@ -1,9 +1,10 @@
 //! The nearest edges of two columns of figures of the plane, item by item, and which areas hold which rings.
 use crate::arrays::offsets;
-use crate::polygon_calls::{in_format, in_runs, place};
+use crate::polygon_calls::{in_format, in_runs, place, together};
 use crate::polygons::{Format, Polygons, vectors};
 use geograd::Vec2;
-use geograd::polygon::{EdgeBoxes, Fill};
+use geograd::polygon::{EdgeBoxes, Fill, Rings};
+use geograd::shape::edges;
 use numpy::{PyArray1, PyArrayDyn};
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
@@ -119,6 +120,60 @@ fn nearest<'py, T: Format>(
         PyArray1::from_vec(py, are_near),
     );
     Ok(arrays.into_pyobject(py)?.into_any())
+}
+
+/// The distances of two columns of polygons, item by item: 0 where they meet or one holds the other, the largest number where
+/// one has no edges.
+#[pyfunction]
+pub fn polygons_apart<'py>(py: Python<'py>, a: &Polygons, b: &Polygons) -> PyResult<Object<'py>> {
+    in_format!(a.is_double() || b.is_double(), apart(py, a, b))
+}
+
+fn apart<'py, T: Format>(py: Python<'py>, a: &Polygons, b: &Polygons) -> PyResult<Object<'py>> {
+    let both = [a, b];
+    let counts = both.map(|own| own.layout.len());
+    let count = together(("a", counts[0]), ("b", counts[1]))?;
+    let vertices = both.map(|own| T::of(&own.vertices));
+    let at = |k: usize, item: usize| {
+        let item = place(counts[k], item);
+        both[k].layout.item(&vertices[k], item)
+    };
+    // One polygon that stands for all is sorted once.
+    let is_shared = counts.map(|own| own == 1 && count != 1);
+    let shared = [0, 1].map(|k| is_shared[k].then(|| EdgeBoxes::of(at(k, 0))));
+    let work = vertices.iter().map(|own| own.len().max(count)).sum();
+    let runs = in_runs(py, count, work, |run: Range<usize>| {
+        let mut rooms = [EdgeBoxes::default(), EdgeBoxes::default()];
+        let distance = |item: usize| {
+            let rings = [0, 1].map(|k| at(k, item));
+            for ((room, own), shared) in rooms.iter_mut().zip(&rings).zip(&shared) {
+                if shared.is_none() {
+                    room.replace(own.iter().flat_map(edges));
+                }
+            }
+            let [p, q] = [0, 1].map(|k| shared[k].as_ref().unwrap_or(&rooms[k]));
+            let Some(nearest) = p.nearest(q) else {
+                return T::largest();
+            };
+            let is_held =
+                || p.is_near(q) && (holds(rings[0], rings[1]) || holds(rings[1], rings[0]));
+            match nearest.distance > T::zero() && is_held() {
+                true => T::zero(),
+                false => nearest.distance,
+            }
+        };
+        run.map(distance).collect::<Vec<T>>()
+    })?;
+    Ok(PyArray1::from_vec(py, runs.concat()).into_any())
+}
+
+/// Returns `true` if a polygon has the first vertex of a ring of another one inside.
+fn holds<T: Format>(area: Rings<'_, T>, other: Rings<'_, T>) -> bool {
+    let firsts = other.iter().filter_map(|ring| ring.first());
+    firsts.copied().any(|v| {
+        let is_near = area.iter().any(|ring| is_near(ring, v));
+        is_near && area.contains(v, Fill::EvenOdd)
+    })
 }
 
 /// For some items whether a polygon has the first vertex of a ring of another figure inside: `firsts` are these vertices,

@@ -66,6 +66,13 @@ def test_pairs_that_touch_lie_in_holes_or_have_no_part():
     assert len(geograd.distance(Polygons.of([]), Polygons.of([]))) == 0
 
 
+def test_values_alone_have_the_bits_of_those_with_gradients():
+    for a, b in (apart(5, 200), zip(*hostile())):
+        p, q = (Polygons.of(np.array(list(own), object)) for own in (a, b))
+        for first, second in ((p, q), (p[0], q), (p, q[0])):
+            np.testing.assert_array_equal(geograd.distance(first, second), geograd.distance.value_grad(first, second)[0])
+
+
 def test_many_vertices():
     dice = np.random.default_rng(3)
     a, b = ([shapely.Polygon(star(dice, 200, x)) for x in places] for places in ([0, 0, 1], [2.3, 0.4, 9]))

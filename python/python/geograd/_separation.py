@@ -164,6 +164,8 @@ def distance(form, first, second, upstream=None):
     """The distance of polygons from polygons or a shape in a form: value, value_grad or vjp."""
     from ._polygons import _cotangents
 
+    if form == "value" and isinstance(first, _core.Polygons) and isinstance(second, _core.Polygons):
+        return _core.polygons_apart(first, second)
     own = [outline(first), outline(second)]
     for x, found in zip((first, second), own):
         if found is None:
