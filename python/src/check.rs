@@ -191,8 +191,9 @@ fn with<'py, X>(
             None => Ok(true),
         })
     };
-    // A traced function runs without Python, which runs handlers of signals only when it is asked.
+    // A traced function runs without Python, which runs handlers of signals and other threads only when it is asked.
     let ends = || {
+        py.detach(|| ());
         thrown.or((), || py.check_signals());
         thrown.is_some()
     };
