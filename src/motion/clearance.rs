@@ -1,6 +1,6 @@
 //! The least distance of two moving bodies.
 use super::moving::{Body3, Bounds, MovingPair};
-use crate::distance3::Apart;
+use crate::distance3::decided::Decided;
 use crate::predicate::order;
 use crate::{Scalar, Vec3};
 
@@ -54,7 +54,7 @@ struct Search<'a, P, A, B> {
 impl<P, A, B> Search<'_, P, A, B>
 where
     P: Scalar<Mask = bool>,
-    A: Body3<Scalar = P> + Apart<B, Scalar = P>,
+    A: Body3<Scalar = P> + Decided<B>,
     B: Body3<Scalar = P>,
 {
     fn sample(&mut self, time: P) -> Sample<P> {
@@ -104,7 +104,7 @@ where
 pub(super) fn search<P, A, B>(pair: &MovingPair<P, A, B>) -> P
 where
     P: Scalar<Mask = bool>,
-    A: Body3<Scalar = P> + Apart<B, Scalar = P>,
+    A: Body3<Scalar = P> + Decided<B>,
     B: Body3<Scalar = P>,
 {
     let bounds = pair.bounds();
@@ -175,7 +175,7 @@ const SECTIONS: usize = 80;
 impl<P, A, B> Search<'_, P, A, B>
 where
     P: Scalar<Mask = bool>,
-    A: Body3<Scalar = P> + Apart<B, Scalar = P>,
+    A: Body3<Scalar = P> + Decided<B>,
     B: Body3<Scalar = P>,
 {
     /// Returns the time of the least distance near a sample, by the golden section.
@@ -210,16 +210,19 @@ where
     }
 }
 
-/// Returns the distance with derivatives at a time.
-pub(super) fn replay<S, A, B>(pair: MovingPair<S, A, B>, time: S::Primal) -> Clearance3<S>
+/// Returns the distance at a time, given the decisions about the bodies then.
+pub(super) fn replay<S, A, B>(
+    pair: &MovingPair<S, A, B>,
+    time: S,
+    decided: &(A::Decisions, A::Hints),
+) -> Clearance3<S>
 where
     S: Scalar,
-    A: Body3<Scalar = S> + Apart<B, Scalar = S>,
+    A: Body3<Scalar = S> + Decided<B>,
     B: Body3<Scalar = S>,
 {
-    let time = S::from_primal(time);
     Clearance3 {
-        distance: pair.relation(time).apart.saturated().canonical(),
+        distance: pair.replayed(time, decided).apart.saturated().canonical(),
         time,
     }
 }

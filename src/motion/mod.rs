@@ -56,4 +56,8 @@ mod moving;
 pub use clearance::Clearance3;
 pub use impact::Impact3;
 pub use motion3::Motion3;
+pub(crate) use moves::{
+    ImpactRecord, clearance_decided, clearance_replayed, impact_decided, impact_replayed,
+};
 pub use moves::{Moves, clearance, time_of_impact};
+pub(crate) use moving::MovingPair;

@@ -1,4 +1,5 @@
 //! Shapes of space: measures, distances, rays.
+mod body_rows;
 mod borders;
 mod certificates;
 mod contacts;
