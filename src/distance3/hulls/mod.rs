@@ -25,6 +25,7 @@
 //!
 //! The search decides in `f64`, also for `f32`. Numbers over other formats have the features of the first vertices.
 mod body;
+mod corner_slopes;
 mod expansion;
 mod facing_ring;
 mod highest_point;
@@ -48,6 +49,7 @@ use crate::distance::share::Best;
 use crate::scalar::{Guard, noted};
 use crate::{Hull3, Pack, Scalar, Vec3};
 pub(super) use body::{Body as HullBody, Face as HullFace};
+pub(crate) use corner_slopes::{by_shape, by_vertices, corner_slopes};
 use facing_ring::facing;
 pub(super) use highest_point::PointColumns;
 pub(super) use hull_record::around;
