@@ -3,17 +3,17 @@ use crate::distance3::decided::Decided;
 use crate::kernels::ops::tables::sized;
 use crate::kernels::verbs::{Clearance, TimeOfImpact};
 use crate::motion::{
-    Impact3, ImpactRecord, Motion3, Moves, MovingPair, clearance_decided, clearance_replayed, impact_decided,
-    impact_replayed,
+    ClearanceHints, ClearanceRecord, Impact3, ImpactRecord, Motion3, Moves, MovingPair, clearance_decided,
+    clearance_replayed, impact_decided, impact_replayed,
 };
 use crate::{Capsule3, Cylinder, Ellipsoid, Obb3, RoundBox3, Sphere, Tetrahedron, Vec3};
 
 /// Selects by the verb: the record of a row, its hints, how it searches and replays, and the method of two bodies.
 macro_rules! of_verb {
     (record TimeOfImpact, $decisions:ty) => { ImpactRecord<$decisions> };
-    (record Clearance, $decisions:ty) => { $decisions };
+    (record Clearance, $decisions:ty) => { ClearanceRecord<$decisions> };
     (hints TimeOfImpact, $S:ident, $hints:ty) => { ($S, $S, $hints) };
-    (hints Clearance, $S:ident, $hints:ty) => { ($S, $hints) };
+    (hints Clearance, $S:ident, $hints:ty) => { ClearanceHints<$S, $hints> };
     (search TimeOfImpact, $pair:ident) => { impact_decided(&$pair) };
     (search Clearance, $pair:ident) => { clearance_decided(&$pair) };
     (replay TimeOfImpact, $pair:ident, $record:ident, $hints:ident) => { impact_replayed(&$pair, &$record, $hints) };

@@ -1,4 +1,5 @@
 //! The least distance of two moving bodies.
+use super::minimum::{Place, judged};
 use super::moving::{Body3, Bounds, MovingPair};
 use crate::distance3::decided::Decided;
 use crate::predicate::order;
@@ -100,8 +101,8 @@ where
     }
 }
 
-/// Returns the time of the least distance.
-pub(super) fn search<P, A, B>(pair: &MovingPair<P, A, B>) -> P
+/// Returns the place of the least distance.
+pub(super) fn search<P, A, B>(pair: &MovingPair<P, A, B>) -> Place<P>
 where
     P: Scalar<Mask = bool>,
     A: Body3<Scalar = P> + Decided<B>,
@@ -153,7 +154,8 @@ where
             false => parts.extend([second, first]),
         }
     }
-    search.refined(&least)
+    let time = search.refined(&least);
+    judged(pair, &bounds, time)
 }
 
 impl<P: Scalar<Mask = bool>> Least<P> {
@@ -207,22 +209,5 @@ where
             }
         }
         best.time
-    }
-}
-
-/// Returns the distance at a time, given the decisions about the bodies then.
-pub(super) fn replay<S, A, B>(
-    pair: &MovingPair<S, A, B>,
-    time: S,
-    decided: &(A::Decisions, A::Hints),
-) -> Clearance3<S>
-where
-    S: Scalar,
-    A: Body3<Scalar = S> + Decided<B>,
-    B: Body3<Scalar = S>,
-{
-    Clearance3 {
-        distance: pair.replayed(time, decided).apart.saturated().canonical(),
-        time,
     }
 }

@@ -1,6 +1,7 @@
 //! Functions of two moving bodies.
 use super::clearance::{self, Clearance3};
 use super::impact::{self, Impact3, Meeting, Moment};
+use super::minimum::{self, Minimum, Place};
 use super::motion3::Motion3;
 use super::moving::{Body3, MovingPair};
 use crate::distance3::decided::Decided;
@@ -114,10 +115,17 @@ where
     })
 }
 
-/// Returns the decisions about the least distance, and the hints: its time and those of the relation.
+/// The decisions about a least distance: its kind, and those about the relation on both sides of its time.
+pub(crate) type ClearanceRecord<D> = (Minimum, [D; 2]);
+
+/// The hints of a least distance: its time and number, the width of the sides and the curvature, and those of both
+/// relations.
+pub(crate) type ClearanceHints<S, H> = ([S; 4], [H; 2]);
+
+/// Returns the decisions about the least distance, and the hints.
 pub(crate) fn clearance_decided<S, A, B, PlainA, PlainB>(
     pair: &MovingPair<S, A, B>,
-) -> (A::Decisions, (S, A::Hints))
+) -> (ClearanceRecord<A::Decisions>, ClearanceHints<S, A::Hints>)
 where
     S: Scalar<Mask = bool>,
     A: Body3 + Pack<Scalar = S, With<S::Primal> = PlainA> + Decided<B>,
@@ -125,23 +133,44 @@ where
     PlainA: Body3<Scalar = S::Primal> + Decided<PlainB>,
     PlainB: Body3<Scalar = S::Primal>,
 {
-    let time = S::from_primal(clearance::search(&pair.plain()));
-    let (decisions, hints) = pair.decided(time);
-    (decisions, (time, hints))
+    let found = clearance::search(&pair.plain());
+    let numbers = [found.time, found.least, found.width, found.curvature].map(S::from_primal);
+    let [time, _, width, _] = numbers;
+    let sides = match found.kind {
+        Minimum::Crossing => [time - width, time + width],
+        _ => [time; 2],
+    };
+    let [(before, first), (after, second)] = sides.map(|t| pair.decided(t));
+    noted::<S::Primal>(2, [found.kind as u32]);
+    ((found.kind, [before, after]), (numbers, [first, second]))
 }
 
 /// Returns the least distance and its time from decisions and hints.
 pub(crate) fn clearance_replayed<S, A, B>(
     pair: &MovingPair<S, A, B>,
-    decisions: &A::Decisions,
-    (time, hints): (S, A::Hints),
+    (kind, decisions): &ClearanceRecord<A::Decisions>,
+    (numbers, hints): ClearanceHints<S, A::Hints>,
 ) -> Clearance3<S>
 where
     S: Scalar,
     A: Body3<Scalar = S> + Decided<B>,
     B: Body3<Scalar = S>,
 {
-    clearance::replay(pair, time, &(*decisions, hints))
+    let [time, least, width, curvature] = numbers;
+    let place = Place {
+        kind: *kind,
+        time,
+        least,
+        width,
+        curvature,
+    };
+    let [before, after] = *decisions;
+    let [first, second] = hints;
+    let distance = minimum::replay(pair, place, [&(before, first), &(after, second)]);
+    Clearance3 {
+        distance: distance.saturated().canonical(),
+        time,
+    }
 }
 
 /// Returns the first time from 0 to 1 at which two moving bodies of space touch, and where.

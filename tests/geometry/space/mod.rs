@@ -2,6 +2,7 @@
 mod body_rows;
 mod borders;
 mod certificates;
+mod clearance_slopes;
 mod contacts;
 mod curved;
 mod curved_draw;
