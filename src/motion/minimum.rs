@@ -74,9 +74,12 @@ where
         let bent = (least - now.apart)
             .unsigned()
             .above(change * width * P::lit(BENT));
-        let jumps = change.above(bounds.speed * P::lit(CROSSING));
-        if jumps && !bent && now.apart.below(P::zero()) {
-            return place(Minimum::Crossing, width, P::one());
+        if change.above(bounds.speed * P::lit(CROSSING)) {
+            if !bent && now.apart.below(P::zero()) {
+                return place(Minimum::Crossing, width, P::one());
+            }
+            // The minimum is sharp, and its time right to a rounding.
+            break;
         }
         // A step of Newton's method that leaves the sides has no minimum to go to.
         if pair.rate(time, &now).unsigned().at_most(change) {
@@ -118,7 +121,7 @@ where
         Minimum::Smooth => {
             let rate = pair.rate(time, &pair.replayed(time, decided[0]));
             let time = time - rate.over(curvature);
-            pair.replayed(time, decided[0]).apart
+            with_number(least, pair.replayed(time, decided[0]).apart)
         }
         Minimum::Crossing => {
             let side = |t: S, decided| {
@@ -139,8 +142,12 @@ where
             let share = rises.over(rises - falls);
             let found = (before.0 + before.1 * way_now) * share
                 + (after.0 + after.1 * (way_now - (width + width))) * (S::one() - share);
-            // The number is that of the search, which no tangent bends.
-            least + (found - S::from_primal(found.primal()))
+            with_number(least, found)
         }
     }
+}
+
+/// Returns a number with the derivatives of another one, which is the same but for the error of a step.
+fn with_number<S: Scalar>(number: S, found: S) -> S {
+    number + (found - S::from_primal(found.primal()))
 }
