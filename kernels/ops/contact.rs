@@ -16,7 +16,11 @@ macro_rules! contact_rows {
         contact_rows! { @rows [concat!($($title),+)] $($name: $A, $B [$($N)?];)* }
         crate::kernels::ops::tables::listed! {
             names [[$($(contact_rows!(@line $listed names [] $name, $A, $B),)?)*]]
-            each |walk| { $($(contact_rows!(@line $listed each [walk] $name, $A, $B);)?)* }
+            each |walk| {
+                // The list has none of them yet.
+                let _ = &walk;
+                $($(contact_rows!(@line $listed each [walk] $name, $A, $B);)?)*
+            }
         }
     };
     (@line listed $what:ident $walk:tt $name:literal, Hull3, Hull3) => {
@@ -106,9 +110,9 @@ macro_rules! contact_rows {
 contact_rows! {
     /// The [contact](crate::distance3::contacts) of {}: up to eight points whose gap is at most `within`. Hulls have up to
     /// `N` vertices. Places from the count on are zero.
-    "contacts_obb3s": Obb3, Obb3 listed;
+    "contacts_obb3s": Obb3, Obb3;
     "contacts_segment_obb3": Segment3, Obb3;
-    "contacts_capsule_obb3": Capsule3, Obb3 listed;
+    "contacts_capsule_obb3": Capsule3, Obb3;
     "contacts_triangle_obb3": Triangle3, Obb3;
     "contacts_tetrahedron_obb3": Tetrahedron, Obb3;
     "contacts_sphere_obb3": Sphere, Obb3;
@@ -117,10 +121,10 @@ contact_rows! {
     "contacts_plane_capsule": Plane3, Capsule3;
     "contacts_plane_cylinder": Plane3, Cylinder;
     "contacts_plane_hull": Plane3, Hull3 [N];
-    "contacts_hulls": Hull3, Hull3 [N] listed;
+    "contacts_hulls": Hull3, Hull3 [N];
     "contacts_obb3_hull": Obb3, Hull3 [N];
     "contacts_capsule_hull": Capsule3, Hull3 [N];
-    "contacts_obb3_cylinder": Obb3, Cylinder listed;
+    "contacts_obb3_cylinder": Obb3, Cylinder;
     "contacts_obb3_cone": Obb3, Cone;
     "contacts_obb3_disc": Obb3, Disc;
     "contacts_obb3_ellipsoid": Obb3, Ellipsoid;

@@ -120,10 +120,10 @@ motion_rows! {
     /// The first [touch](crate::motion::time_of_impact) of {} in motion. Hulls have up to `N` vertices. The time of a miss
     /// is the largest finite number.
     TimeOfImpact -> Impact3<S>, jumps Anywhere {
-        "time_of_impact_obb3s": Obb3, Obb3 listed;
+        "time_of_impact_obb3s": Obb3, Obb3;
         "time_of_impact_capsules": Capsule3, Capsule3;
         "time_of_impact_sphere_obb3": Sphere, Obb3;
-        "time_of_impact_capsule_obb3": Capsule3, Obb3 listed;
+        "time_of_impact_capsule_obb3": Capsule3, Obb3;
         "time_of_impact_round_boxes": RoundBox3, RoundBox3;
         "time_of_impact_point_obb3": Vec3, Obb3;
         "time_of_impact_point_tetrahedron": Vec3, Tetrahedron;

@@ -72,12 +72,8 @@ SHAPES = {
     "Plane3": "The plane of all points p with normal . p = offset, and the half-space behind it; the normal has any length.",
     "Contact3": "How deep two shapes are in each other, and the direction of the shortest shift of the second one that parts them.",
     "PointPair3": "A point of each of two shapes of space.",
-    "Contacts3": "Where two shapes of space touch: a direction from the first to the second, how many points there are, and eight "
-    "places for points, those after the count zero. A point has its place on both shapes and the gap between.",
     "Motion3": "A motion from time 0 to 1 at constant velocity and turn: the centre of the turn at time 0, the way of that "
     "centre, and the rotation vector of the whole turn.",
-    "Impact3": "The first touch of two moving bodies: the time from 0 to 1, the place, and the direction in which the second body "
-    "is in the way of the first.",
     "Hit3": "The first point of a ray on the border of a shape of space, and the normal there, out of the shape.",
     "CommonLine3": "The line that two planes share.",
     "CommonPoint3": "The point that three planes share.",
@@ -114,9 +110,6 @@ NUMBERS = {
     ("ClosestOnSegments", "along_b"): "share of the way along b",
     ("Contact", "depth"): "length, 0 where the shapes are apart",
     ("Contact3", "depth"): "length, 0 where the shapes are apart",
-    ("Contacts3", "count"): "how many points there are, a whole number",
-    ("Impact3", "time"): f"share of the motion; {_MISS}",
-    ("Impact3", "kind"): "0 for a miss, 1 for an impact, 2 where the bodies touch at time 0",
     ("ConvexPolygon5", "codes[0]"): "how many vertices count, a whole number",
     ("ConvexPolygon6", "codes[0]"): "how many vertices count, a whole number",
     ("Hull3_8", "codes[0]"): "how many vertices count, a whole number",
