@@ -107,7 +107,7 @@ pub mod __private {
         Declared, Declares, Derivative, Effect, Extremes, Finite, Hvp, Invariance, Jacobian, Jumps,
         Jvp, LowerBound, Motion, Op, Range, ValueGrad, Vjp,
     };
-    pub use crate::kernels::verbs::{Binary, Takes, Ternary, Unary};
+    pub use crate::kernels::verbs::{Binary, Quaternary, Takes, Ternary, Unary};
     pub use crate::scalar::guard::guarded;
     pub use crate::{Error, Fixed, Mask, Pack, Scalar};
 }

@@ -44,6 +44,18 @@ fn replayed<D: HintedSearch<In<<R as Pack>::Scalar> = R>, R: Item>(
     D::replay_with_hints::<Jet<R::Scalar, AT_A_TIME>>(moved, record, hints).scalars()
 }
 
+/// Returns the result of one item and the cotangents of its arguments by hand, if the search has them; without a
+/// cotangent of the result it is all ones.
+fn by_hand<D: HintedSearch<In<<R as Pack>::Scalar> = R>, R: Item>(
+    input: R,
+    (record, hints): &(D::Record, D::Hints<R::Scalar>),
+    out_bar: Option<&[R::Scalar]>,
+) -> Option<(D::Out<R::Scalar>, R)> {
+    let ones = vec![R::Scalar::one(); D::Out::<R::Scalar>::LEN];
+    let out_bar = D::Out::<R::Scalar>::load(out_bar.unwrap_or(&ones));
+    D::adjoint_with_hints::<R::Scalar>(input, record, hints, out_bar)
+}
+
 /// Writes the result of one item, and the gradient of each of its numbers.
 fn item_and_jacobian<D: HintedSearch<In<<R as Pack>::Scalar> = R>, R: Item>(
     numbers: &[R::Scalar],
@@ -54,7 +66,15 @@ fn item_and_jacobian<D: HintedSearch<In<<R as Pack>::Scalar> = R>, R: Item>(
     let found = D::decide_with_hints::<R::Scalar>(input);
     let (record, hints) = found;
     let codes: Vec<u32> = input.codes();
-    let mut rows = vec![R::Scalar::default(); D::Out::<R::Scalar>::LEN * R::LEN];
+    let result = D::Out::<R::Scalar>::LEN;
+    if result == 1 {
+        if let Some((value, bars)) = by_hand::<D, R>(input, &found, None) {
+            value.store(out);
+            by_shape::<R>(&bars.scalars(), &codes, &mut out[result..]);
+            return;
+        }
+    }
+    let mut rows = vec![R::Scalar::default(); result * R::LEN];
     for places in places::<D>(&record).chunks(AT_A_TIME) {
         let replayed = replayed::<D, R>(&numbers, &codes, places, found);
         for (row, jet) in rows.chunks_exact_mut(R::LEN).zip(replayed) {
@@ -64,7 +84,7 @@ fn item_and_jacobian<D: HintedSearch<In<<R as Pack>::Scalar> = R>, R: Item>(
         }
     }
     D::replay_with_hints::<R::Scalar>(input, record, hints).store(out);
-    let gradients = out[D::Out::<R::Scalar>::LEN..].chunks_exact_mut(width::<R>());
+    let gradients = out[result..].chunks_exact_mut(width::<R>());
     for (row, gradient) in rows.chunks_exact(R::LEN).zip(gradients) {
         // A gradient has the input's codes.
         by_shape::<R>(row, &codes, gradient);
@@ -83,6 +103,13 @@ fn item<D: HintedSearch<In<<R as Pack>::Scalar> = R>, R: Item>(
     let found = D::decide_with_hints::<R::Scalar>(input);
     let (record, hints) = found;
     let result = D::Out::<R::Scalar>::LEN;
+    if derivatives {
+        if let Some((value, bars)) = by_hand::<D, R>(input, &found, out_bar) {
+            value.store(out);
+            by_shape::<R>(&bars.scalars(), &input.codes(), &mut out[result..]);
+            return;
+        }
+    }
     D::replay_with_hints::<R::Scalar>(input, record, hints).store(out);
     if !derivatives {
         return;

@@ -1,6 +1,7 @@
 //! Distances of curved shapes of space as operations, with a search that hands hints to the replay.
 use crate::distance3::curved::{CurvedRecord, HINTS, curved_replay, curved_search};
 use crate::distance3::{Apart, Contact3, PointPair3};
+use crate::kernels::ops::tables::sized;
 use crate::kernels::verbs::{ClosestPoints, Distance, Penetration, SignedDistance};
 use crate::{
     Aabb3, Capsule3, Cone, Cylinder, Disc, Ellipsoid, Obb3, RoundBox3, Segment3, Sphere, Tetrahedron, Triangle3, Vec3,
@@ -10,41 +11,59 @@ use crate::{
 /// Writes operations of two shapes of which at least one is curved, and joins them to their verbs.
 ///
 /// A head says the verb, the result, the method of the shapes' relation that gives it, the class of invariance and the
-/// jumps; a line the name of the row and the shapes.
+/// jumps; a line the name of the row and the shapes. Constants in brackets are those of a row with a hull. The list has
+/// the rows that say so, a few for every verb, since the harness judges some minutes at each of them; a hull of it has up
+/// to eight vertices. Batches of typed columns have all.
 macro_rules! curved_rows {
     ($(
         $(#[doc = $title:literal])+
         $Verb:ident -> $out:ty, replay $replay:ident $class:tt $(range $range:ident)? $(lower $lower:ident)? jumps $jumps:ident
-        { $($name:literal: $A:ident, $B:ident;)* }
+        { $($name:literal: $A:ident, $B:ident $([$N:ident])? $($listed:ident)?;)* }
     )*) => {
         $( curved_rows! {
-            @rows [concat!($($title),+)] $Verb, $out, $replay, $class, ($(range $range)? $(lower $lower)? jumps $jumps);
-            $($name: $A, $B;)*
+            @rows [concat!($($title),+)] $Verb, $out, $replay, $class, $jumps, ($(range $range)? $(lower $lower)?);
+            $($name: $A, $B [$($N)?];)*
         } )*
+        crate::kernels::ops::tables::listed! {
+            names [$([$($(crate::kernels::ops::tables::pair_line!($listed names [] $Verb, $name, $A, $B),)?)*]),*]
+            each |walk| {
+                $($($(crate::kernels::ops::tables::pair_line!($listed each [walk] $Verb, $name, $A, $B);)?)*)*
+            }
+        }
     };
     (
-        @rows [$title:expr] $Verb:ident, $out:ty, $replay:ident, $class:tt, $clauses:tt;
-        $($name:literal: $A:ident, $B:ident;)*
+        @rows [$title:expr] $Verb:ident, $out:ty, $replay:ident, $class:tt, $jumps:ident, $clauses:tt;
+        $($name:literal: $A:ident, $B:ident $N:tt;)*
     ) => { $( const _: () = {
         // As visible as the verb.
         #[derive(Clone, Copy, Debug, Default)]
-        pub struct Item;
+        pub struct Item<const N: usize>;
 
-        impl crate::kernels::row::op::Declares for Item {
+        type First = sized!($A, f64, 8);
+        type Second = sized!($B, f64, 8);
+
+        impl<const N: usize> crate::kernels::row::op::Declares for Item<N> {
             const DECLARED: crate::kernels::row::op::Declared = crate::__declared!(
                 crate::kernels::row::op::Declared::new(
                     $name,
-                    crate::kernels::ops::class::invariances!($class $A<f64>, $B<f64>),
-                    crate::kernels::row::op::Jumps::Never,
+                    crate::kernels::ops::class::invariances!($class First, Second),
+                    crate::kernels::row::op::Jumps::$jumps,
                 )
-                .arguments(&crate::kernels::ops::tables::arguments!((a, b) $A $B))
-                .doc(crate::kernels::ops::tables::text!($title, "", $A<f64>, $B<f64>)),
-                ($A<f64>, $B<f64>), (a, b), $clauses
+                .arguments(
+                    &const {
+                        crate::kernels::ops::noun::named(
+                            <First as crate::kernels::ops::noun::Named>::NOUN.name,
+                            <Second as crate::kernels::ops::noun::Named>::NOUN.name,
+                        )
+                    },
+                )
+                .doc(crate::kernels::ops::tables::text!($title, "", First, Second)),
+                (First, Second), (a, b), $clauses
             );
         }
 
-        impl crate::kernels::call::search::HintedSearch for Item {
-            type In<S: crate::Scalar> = ($A<S>, $B<S>);
+        impl<const N: usize> crate::kernels::call::search::HintedSearch for Item<N> {
+            type In<S: crate::Scalar> = (sized!($A, S, N), sized!($B, S, N));
             type Out<S: crate::Scalar> = $out;
             type Record = CurvedRecord;
             type Hints<S: crate::Scalar> = [S; HINTS];
@@ -61,53 +80,27 @@ macro_rules! curved_rows {
                 curved_replay(&a, &b, record, &hints).$replay()
             }
         }
-
-        impl<S: crate::Scalar<Mask = bool>> crate::kernels::verbs::Binary<$A<S>, $B<S>> for $Verb {
+        curved_rows!(@join $Verb, $out, $replay, $A, $B, $N);
+    }; )* };
+    (@join $Verb:ident, $out:ty, $replay:ident, $A:ident, $B:ident, []) => {
+        curved_rows!(@binary $Verb, $out, $replay, [], $A<S>, $B<S>, 8);
+    };
+    (@join $Verb:ident, $out:ty, $replay:ident, $A:ident, $B:ident, [$N:ident]) => {
+        curved_rows!(@binary $Verb, $out, $replay, [const N: usize], sized!($A, S, N), sized!($B, S, N), N);
+    };
+    (
+        @binary $Verb:ident, $out:ty, $replay:ident, [$($constant:tt)*], $First:ty, $Second:ty, $N:tt
+    ) => {
+        impl<S: crate::Scalar<Mask = bool>, $($constant)*> crate::kernels::verbs::Binary<$First, $Second> for $Verb {
             type Out = $out;
-            type By = crate::kernels::call::search::Searched<Item>;
+            type By = crate::kernels::call::search::Searched<Item<$N>>;
             const BY: Self::By = crate::kernels::call::search::search(Item);
             #[inline]
-            fn apply(a: $A<S>, b: $B<S>) -> $out {
+            fn apply(a: $First, b: $Second) -> $out {
                 a.guarded_with(&b).result(a.relation(b).$replay())
             }
         }
-    }; )* };
-}
-
-/// Names the rows of the list: two of every kind of feature for each verb, since the harness judges some minutes at
-/// each of them. Batches of typed columns have all.
-macro_rules! of_the_list {
-    ($($Verb:ident { $($name:literal: $A:ident, $B:ident;)* })*) => {
-        crate::kernels::ops::tables::listed! {
-            names [$([$(
-                crate::kernels::ops::tables::line!(names [] search $Verb, $name, [$A $B] ($A<f64>, $B<f64>))
-            ),*]),*]
-            each |walk| { $($(
-                crate::kernels::ops::tables::line!(each [walk] search $Verb, $name, [$A $B] ($A<f64>, $B<f64>));
-            )*)* }
-        }
     };
-}
-of_the_list! {
-    Distance {
-        "distance_capsule_cone": Capsule3, Cone;
-        "distance_point_disc": Vec3, Disc;
-        "distance_ellipsoids": Ellipsoid, Ellipsoid;
-    }
-    SignedDistance {
-        "signed_distance_obb3_cylinder": Obb3, Cylinder;
-        "signed_distance_tetrahedron_disc": Tetrahedron, Disc;
-        "signed_distance_cylinders": Cylinder, Cylinder;
-        "signed_distance_ellipsoids": Ellipsoid, Ellipsoid;
-    }
-    ClosestPoints {
-        "closest_points_obb3_ellipsoid": Obb3, Ellipsoid;
-        "closest_points_ellipsoids": Ellipsoid, Ellipsoid;
-    }
-    Penetration {
-        "penetration_obb3_cylinder": Obb3, Cylinder;
-        "penetration_ellipsoids": Ellipsoid, Ellipsoid;
-    }
 }
 
 curved_rows! {
@@ -122,7 +115,7 @@ curved_rows! {
         "distance_obb3_cylinder": Obb3, Cylinder;
         "distance_round_box_cylinder": RoundBox3, Cylinder;
         "distance_segment_cone": Segment3, Cone;
-        "distance_capsule_cone": Capsule3, Cone;
+        "distance_capsule_cone": Capsule3, Cone listed;
         "distance_triangle_cone": Triangle3, Cone;
         "distance_tetrahedron_cone": Tetrahedron, Cone;
         "distance_aabb3_cone": Aabb3, Cone;
@@ -139,7 +132,7 @@ curved_rows! {
         "distance_yaw_ellipsoid": YawBox3, Ellipsoid;
         "distance_obb3_ellipsoid": Obb3, Ellipsoid;
         "distance_round_box_ellipsoid": RoundBox3, Ellipsoid;
-        "distance_point_disc": Vec3, Disc;
+        "distance_point_disc": Vec3, Disc listed;
         "distance_sphere_disc": Sphere, Disc;
         "distance_segment_disc": Segment3, Disc;
         "distance_capsule_disc": Capsule3, Disc;
@@ -154,7 +147,7 @@ curved_rows! {
         "distance_cones": Cone, Cone;
         "distance_cylinder_ellipsoid": Cylinder, Ellipsoid;
         "distance_cone_ellipsoid": Cone, Ellipsoid;
-        "distance_ellipsoids": Ellipsoid, Ellipsoid;
+        "distance_ellipsoids": Ellipsoid, Ellipsoid listed;
         "distance_cylinder_disc": Cylinder, Disc;
         "distance_cone_disc": Cone, Disc;
         "distance_ellipsoid_disc": Ellipsoid, Disc;
@@ -169,7 +162,7 @@ curved_rows! {
         "signed_distance_tetrahedron_cylinder": Tetrahedron, Cylinder;
         "signed_distance_aabb3_cylinder": Aabb3, Cylinder;
         "signed_distance_yaw_cylinder": YawBox3, Cylinder;
-        "signed_distance_obb3_cylinder": Obb3, Cylinder;
+        "signed_distance_obb3_cylinder": Obb3, Cylinder listed;
         "signed_distance_round_box_cylinder": RoundBox3, Cylinder;
         "signed_distance_segment_cone": Segment3, Cone;
         "signed_distance_capsule_cone": Capsule3, Cone;
@@ -193,17 +186,17 @@ curved_rows! {
         "signed_distance_segment_disc": Segment3, Disc;
         "signed_distance_capsule_disc": Capsule3, Disc;
         "signed_distance_triangle_disc": Triangle3, Disc;
-        "signed_distance_tetrahedron_disc": Tetrahedron, Disc;
+        "signed_distance_tetrahedron_disc": Tetrahedron, Disc listed;
         "signed_distance_aabb3_disc": Aabb3, Disc;
         "signed_distance_yaw_disc": YawBox3, Disc;
         "signed_distance_obb3_disc": Obb3, Disc;
         "signed_distance_round_box_disc": RoundBox3, Disc;
-        "signed_distance_cylinders": Cylinder, Cylinder;
+        "signed_distance_cylinders": Cylinder, Cylinder listed;
         "signed_distance_cylinder_cone": Cylinder, Cone;
         "signed_distance_cones": Cone, Cone;
         "signed_distance_cylinder_ellipsoid": Cylinder, Ellipsoid;
         "signed_distance_cone_ellipsoid": Cone, Ellipsoid;
-        "signed_distance_ellipsoids": Ellipsoid, Ellipsoid;
+        "signed_distance_ellipsoids": Ellipsoid, Ellipsoid listed;
         "signed_distance_cylinder_disc": Cylinder, Disc;
         "signed_distance_cone_disc": Cone, Disc;
         "signed_distance_ellipsoid_disc": Ellipsoid, Disc;
@@ -218,17 +211,17 @@ curved_rows! {
         "closest_points_point_ellipsoid": Vec3, Ellipsoid;
         "closest_points_sphere_ellipsoid": Sphere, Ellipsoid;
         "closest_points_capsule_ellipsoid": Capsule3, Ellipsoid;
-        "closest_points_obb3_ellipsoid": Obb3, Ellipsoid;
+        "closest_points_obb3_ellipsoid": Obb3, Ellipsoid listed;
         "closest_points_obb3_disc": Obb3, Disc;
         "closest_points_cylinders": Cylinder, Cylinder;
         "closest_points_cylinder_ellipsoid": Cylinder, Ellipsoid;
-        "closest_points_ellipsoids": Ellipsoid, Ellipsoid;
+        "closest_points_ellipsoids": Ellipsoid, Ellipsoid listed;
     }
     /// The [depth of overlap and its direction](crate::distance3::penetration) of {}. The direction jumps to another
     /// deepest face.
     Penetration -> Contact3<S>, replay penetration [shifts] jumps Anywhere {
         "penetration_capsule_cylinder": Capsule3, Cylinder;
-        "penetration_obb3_cylinder": Obb3, Cylinder;
+        "penetration_obb3_cylinder": Obb3, Cylinder listed;
         "penetration_obb3_cone": Obb3, Cone;
         "penetration_sphere_ellipsoid": Sphere, Ellipsoid;
         "penetration_capsule_ellipsoid": Capsule3, Ellipsoid;
@@ -236,6 +229,34 @@ curved_rows! {
         "penetration_obb3_disc": Obb3, Disc;
         "penetration_cylinders": Cylinder, Cylinder;
         "penetration_cylinder_ellipsoid": Cylinder, Ellipsoid;
-        "penetration_ellipsoids": Ellipsoid, Ellipsoid;
+        "penetration_ellipsoids": Ellipsoid, Ellipsoid listed;
+    }
+    // Hulls have no box around them as a declared bound.
+    /// The [distance](crate::distance3::distance()) of {}, 0 where they meet. Hulls have up to `N` vertices.
+    Distance -> S, replay distance [rigid(1)] range NOT_NEGATIVE jumps Never {
+        "distance_hull_cylinder": Hull3, Cylinder [N] listed;
+        "distance_hull_cone": Hull3, Cone [N];
+        "distance_hull_ellipsoid": Hull3, Ellipsoid [N];
+        "distance_hull_disc": Hull3, Disc [N];
+    }
+    /// The [signed distance](crate::distance3::signed_distance) of {}: less than 0 where they overlap, by the least
+    /// move that parts them. Hulls have up to `N` vertices.
+    SignedDistance -> S, replay signed_distance [rigid(1)] jumps Never {
+        "signed_distance_hull_cylinder": Hull3, Cylinder [N];
+        "signed_distance_hull_cone": Hull3, Cone [N];
+        "signed_distance_hull_ellipsoid": Hull3, Ellipsoid [N] listed;
+        "signed_distance_hull_disc": Hull3, Disc [N];
+    }
+    /// The [nearest points](crate::distance3::closest_points) of {}. Hulls have up to `N` vertices. Points jump to
+    /// another nearest feature.
+    ClosestPoints -> PointPair3<S>, replay closest_points [] jumps Anywhere {
+        "closest_points_hull_cylinder": Hull3, Cylinder [N];
+        "closest_points_hull_ellipsoid": Hull3, Ellipsoid [N];
+    }
+    /// The [depth of overlap and its direction](crate::distance3::penetration) of {}. Hulls have up to `N` vertices.
+    /// The direction jumps to another deepest face.
+    Penetration -> Contact3<S>, replay penetration [shifts] jumps Anywhere {
+        "penetration_hull_cylinder": Hull3, Cylinder [N];
+        "penetration_hull_ellipsoid": Hull3, Ellipsoid [N];
     }
 }

@@ -1,5 +1,7 @@
 //! Distances of convex hulls of space as operations, with a search.
-use crate::distance3::hulls::{HullRecord, hulls_replay, hulls_search};
+use crate::distance3::hulls::{
+    HullRecord, by_shape, by_vertices, corner_slopes, hulls_replay, hulls_search,
+};
 use crate::distance3::{Apart, Contact3, PointPair3};
 use crate::kernels::verbs::{ClosestPoints, Distance, Penetration, SignedDistance};
 use crate::{
@@ -29,6 +31,39 @@ macro_rules! by_first {
             None => true,
         }
     };
+    // Points and directions have their replay's.
+    (adjoint $A:ident closest_points, $a:ident, $b:ident, $record:ident, $bar:ident) => {{
+        let _ = ($a, $b, $record, $bar);
+        None
+    }};
+    (adjoint $A:ident penetration, $a:ident, $b:ident, $record:ident, $bar:ident) => {{
+        let _ = ($a, $b, $record, $bar);
+        None
+    }};
+    (adjoint Plane3 $replay:ident, $a:ident, $b:ident, $record:ident, $bar:ident) => {{
+        let _ = ($a, $b, $record, $bar);
+        None
+    }};
+    (adjoint Hull3 $replay:ident, $a:ident, $b:ident, $record:ident, $bar:ident) => {{
+        let found = corner_slopes(&$a, &$b, $record, |found| by_first!(factor $replay, found, $bar));
+        let gradient = (by_vertices(&$a, &found.by_a), by_vertices(&$b, &found.by_b));
+        Some((found.relation.$replay(), gradient))
+    }};
+    (adjoint $A:ident $replay:ident, $a:ident, $b:ident, $record:ident, $bar:ident) => {{
+        let found = corner_slopes(&$a, &$b, $record, |found| by_first!(factor $replay, found, $bar));
+        let factor = by_first!(factor $replay, (&found.relation), $bar);
+        let height = |shape: $A<_>| by_shape(&shape, &found.by_a, found.relation.normal, factor);
+        let (_, by_a) = crate::ad::gradient(height, $a);
+        Some((found.relation.$replay(), (by_a, by_vertices(&$b, &found.by_b))))
+    }};
+    // The distance of shapes that touch or overlap is constant.
+    (factor distance, $found:tt, $bar:ident) => {
+        if $found.apart > S::zero() { $bar } else { S::zero() }
+    };
+    (factor signed_distance, $found:tt, $bar:ident) => {{
+        let _ = &$found;
+        $bar
+    }};
     (line $what:ident $walk:tt $Verb:ident, $name:literal, Hull3) => {
         crate::kernels::ops::tables::line!(
             $what $walk search $Verb, $name, [Hull3_8 Hull3_8] (Hull3<f64, 8>, Hull3<f64, 8>)
@@ -98,6 +133,13 @@ macro_rules! hull_rows {
             }
             fn replay<S: crate::Scalar>((a, b): Self::In<S>, record: Self::Record) -> $out {
                 by_first!(replay $A, a, b, record).$replay()
+            }
+            fn adjoint<S: crate::Real>(
+                (a, b): Self::In<S>,
+                record: &Self::Record,
+                out_bar: $out,
+            ) -> Option<($out, Self::In<S>)> {
+                by_first!(adjoint $A $replay, a, b, record, out_bar)
             }
             #[allow(unused_variables)]
             fn reads(record: &Self::Record, place: usize) -> bool {

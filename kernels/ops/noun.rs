@@ -4,6 +4,7 @@ use crate::convention::{
     Detectron2Box, ImageBox, KittiBox, Le90, Le135, LidarBox, NuScenesBox, OpenCvBox, Xyxyr,
 };
 use crate::iou::Exponent;
+use crate::motion::Motion3;
 use crate::{
     Aabb2, Aabb3, Capsule2, Capsule3, Circle, Cone, ConvexPolygon, Cylinder, Disc, Ellipsoid,
     Hull3, Interval, Line2, Line3, Obb2, Obb3, Plane3, Pose2, Pose3, Ray2, Ray3, Rotation3,
@@ -130,6 +131,7 @@ nouns! {
     [] Line2<f64>:       "line",     "a line",                     "two lines",                     PLANE_DIRECTED;
     [] Ray2<f64>:        "ray",      "a ray",                      "two rays",                      PLANE_DIRECTED;
     [] Pose2<f64>:       "pose",     "a pose",                     "two poses",                     PLANE;
+    [] Motion3<f64>:     "motion",   "a motion",                   "two motions",                   NONE;
     [] Pose3<f64>:       "pose",     "a pose of space",            "two poses of space",            SPACE;
     // Its ends are lengths.
     [] Interval<f64>:    "interval", "an interval",                "two intervals",                 NONE;

@@ -1,31 +1,15 @@
 //! The overlap of bodies with flat faces as operations, with a search.
+use crate::kernels::ops::tables::sized;
 use crate::kernels::verbs::{IntersectionArea, IntersectionVolume, Iof, Iou};
 use crate::overlap::Denominator;
 use crate::overlap_solid::{VolumeRecord, slice_replay, volume_replay, volume_search};
-use crate::{Aabb3, Hull3, Obb3, Plane3, Tetrahedron, YawBox3};
+use crate::{Aabb3, Obb3, Plane3, Tetrahedron, YawBox3};
 
-/// Selects by the shapes of a row.
-macro_rules! by_pair {
-    (shape Hull3, $S:ty, $N:tt) => { Hull3<$S, $N> };
-    (shape $A:ident, $S:ty, $N:tt) => { $A<$S> };
-    (replay area, $a:ident, $b:ident, $record:ident) => { slice_replay(&$a, $b, &$record) };
-    (replay $over:ident, $a:ident, $b:ident, $record:ident) => {
+/// Selects the measure of a row.
+macro_rules! measured {
+    (area, $a:ident, $b:ident, $record:ident) => { slice_replay(&$a, $b, &$record) };
+    ($over:ident, $a:ident, $b:ident, $record:ident) => {
         volume_replay(Denominator::$over, &$a, &$b, &$record)
-    };
-    (line $what:ident $walk:tt $Verb:ident, $name:literal, Hull3, Hull3) => {
-        by_pair!(listed $what $walk $Verb, $name, [Hull3_8 Hull3_8] (Hull3<f64, 8>, Hull3<f64, 8>))
-    };
-    (line $what:ident $walk:tt $Verb:ident, $name:literal, Hull3, $B:ident) => {
-        by_pair!(listed $what $walk $Verb, $name, [Hull3_8 $B] (Hull3<f64, 8>, $B<f64>))
-    };
-    (line $what:ident $walk:tt $Verb:ident, $name:literal, $A:ident, Hull3) => {
-        by_pair!(listed $what $walk $Verb, $name, [$A Hull3_8] ($A<f64>, Hull3<f64, 8>))
-    };
-    (line $what:ident $walk:tt $Verb:ident, $name:literal, $A:ident, $B:ident) => {
-        by_pair!(listed $what $walk $Verb, $name, [$A $B] ($A<f64>, $B<f64>))
-    };
-    (listed $what:ident $walk:tt $Verb:ident, $name:literal, $shapes:tt $input:ty) => {
-        crate::kernels::ops::tables::line!($what $walk search $Verb, $name, $shapes $input)
     };
 }
 
@@ -43,8 +27,8 @@ macro_rules! solid_rows {
             @rows [concat!($($title),+)] $Verb, $over, $class, $range, $jumps; $($name: $A, $B [$($N)?];)*
         } )*
         crate::kernels::ops::tables::listed! {
-            names [$([$(by_pair!(line names [] $Verb, $name, $A, $B)),*]),*]
-            each |walk| { $($(by_pair!(line each [walk] $Verb, $name, $A, $B);)*)* }
+            names [$([$(crate::kernels::ops::tables::pair_line!(names [] $Verb, $name, $A, $B)),*]),*]
+            each |walk| { $($(crate::kernels::ops::tables::pair_line!(each [walk] $Verb, $name, $A, $B);)*)* }
         }
     };
     (
@@ -55,8 +39,8 @@ macro_rules! solid_rows {
         #[derive(Clone, Copy, Debug, Default)]
         pub struct Item<const N: usize>;
 
-        type First = by_pair!(shape $A, f64, 8);
-        type Second = by_pair!(shape $B, f64, 8);
+        type First = sized!($A, f64, 8);
+        type Second = sized!($B, f64, 8);
 
         impl<const N: usize> crate::kernels::row::op::Declares for Item<N> {
             const DECLARED: crate::kernels::row::op::Declared = crate::kernels::row::op::Declared::new(
@@ -77,23 +61,23 @@ macro_rules! solid_rows {
         }
 
         impl<const N: usize> crate::kernels::call::search::Search for Item<N> {
-            type In<S: crate::Scalar> = (by_pair!(shape $A, S, N), by_pair!(shape $B, S, N));
+            type In<S: crate::Scalar> = (sized!($A, S, N), sized!($B, S, N));
             type Out<S: crate::Scalar> = S;
             type Record = VolumeRecord<N>;
             fn decide<S: crate::Scalar<Mask = bool>>((a, b): Self::In<S>) -> VolumeRecord<N> {
                 volume_search(&a, &b)
             }
             fn replay<S: crate::Scalar>((a, b): Self::In<S>, record: VolumeRecord<N>) -> S {
-                by_pair!(replay $over, a, b, record)
+                measured!($over, a, b, record)
             }
         }
         solid_rows!(@join $Verb, $A, $B, $N);
     }; )* };
     (@join $Verb:ident, $A:ident, $B:ident, []) => {
-        solid_rows!(@binary $Verb, [], by_pair!(shape $A, S, 8), by_pair!(shape $B, S, 8), 8);
+        solid_rows!(@binary $Verb, [], sized!($A, S, 8), sized!($B, S, 8), 8);
     };
     (@join $Verb:ident, $A:ident, $B:ident, [$N:ident]) => {
-        solid_rows!(@binary $Verb, [const N: usize], by_pair!(shape $A, S, N), by_pair!(shape $B, S, N), N);
+        solid_rows!(@binary $Verb, [const N: usize], sized!($A, S, N), sized!($B, S, N), N);
     };
     (@binary $Verb:ident, [$($constant:tt)*], $First:ty, $Second:ty, $N:tt) => {
         impl<S: crate::Scalar<Mask = bool>, $($constant)*>

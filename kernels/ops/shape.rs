@@ -3,7 +3,7 @@ use crate::kernels::ops::noun::Quad;
 use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{Area, Centroid, Circumcircle, Incircle, Perimeter, SignedArea};
 use crate::shape::circumcircle;
-use crate::{Aabb2, Capsule2, Circle, Obb2, Triangle2, Triangle3, Vec2, ring};
+use crate::{Aabb2, Capsule2, Circle, Disc, Obb2, Triangle2, Triangle3, Vec2, ring};
 
 table! {
     /// The [signed area](Triangle2::signed_area) of {}.
@@ -18,6 +18,7 @@ table! {
     Area: (shape) -> S { shape.area() } [rigid(2)] (range NOT_NEGATIVE jumps Never) derivative Reverse {
         "area_triangle": Triangle2;
         "area_triangle3": Triangle3;
+        "area_disc": Disc;
     }
     /// The area of {}.
     Area: (shape) -> S { shape.area().saturated().canonical() } [rigid(2)] (range NOT_NEGATIVE jumps Never)

@@ -49,6 +49,7 @@ table! {
     /// The centre of the volume of {}.
     Centroid: (shape) -> Vec3<S> { shape.center() } [follows] (jumps Never) derivative Reverse {
         "centroid_cone": Cone;
+        "centroid_cylinder": Cylinder;
         "centroid_tetrahedron": Tetrahedron;
     }
     // The numbers of a tensor are relative to the coordinate axes. Fifth powers of small lengths underflow in `f32`.
@@ -61,6 +62,7 @@ table! {
         "inertia_cone": Cone;
         "inertia_tetrahedron": Tetrahedron;
         "inertia_round_box": RoundBox3 (roundings { turned(shape.inertia()) });
+        "inertia_ellipsoid": Ellipsoid (roundings { turned(shape.inertia()) });
         "inertia_obb3": Obb3 (roundings { turned(shape.inertia()) });
     }
 }

@@ -127,6 +127,36 @@ macro_rules! line {
     };
 }
 
+/// Selects by the shape of an argument, which may be a hull: its type, or the name and the type that a list has, in
+/// which a hull has up to eight vertices.
+macro_rules! sized {
+    (Hull3, $S:ty, $N:tt) => { crate::Hull3<$S, $N> };
+    ($A:ident, $S:ty, $N:tt) => { $A<$S> };
+}
+
+/// Adds a row of a search of two shapes to the list of its file, as [`line!`] does.
+macro_rules! pair_line {
+    (listed $($line:tt)*) => { crate::kernels::ops::tables::pair_line!($($line)*) };
+    ($what:ident $walk:tt $Verb:ident, $name:literal, Hull3, Hull3) => {
+        crate::kernels::ops::tables::line!(
+            $what $walk search $Verb, $name, [Hull3_8 Hull3_8] (crate::Hull3<f64, 8>, crate::Hull3<f64, 8>)
+        )
+    };
+    ($what:ident $walk:tt $Verb:ident, $name:literal, Hull3, $B:ident) => {
+        crate::kernels::ops::tables::line!(
+            $what $walk search $Verb, $name, [Hull3_8 $B] (crate::Hull3<f64, 8>, $B<f64>)
+        )
+    };
+    ($what:ident $walk:tt $Verb:ident, $name:literal, $A:ident, Hull3) => {
+        crate::kernels::ops::tables::line!(
+            $what $walk search $Verb, $name, [$A Hull3_8] ($A<f64>, crate::Hull3<f64, 8>)
+        )
+    };
+    ($what:ident $walk:tt $Verb:ident, $name:literal, $A:ident, $B:ident) => {
+        crate::kernels::ops::tables::line!($what $walk search $Verb, $name, [$A $B] ($A<f64>, $B<f64>))
+    };
+}
+
 /// Defines the list of rows of a file.
 macro_rules! listed {
     (names [$($names:expr),* $(,)?] each |$walk:ident| $each:block) => {
@@ -308,4 +338,6 @@ macro_rules! finds {
     };
 }
 
-pub(crate) use {arguments, capacity, finds, first, line, listed, searches, table, text};
+pub(crate) use {
+    arguments, capacity, finds, first, line, listed, pair_line, searches, sized, table, text,
+};

@@ -1,6 +1,6 @@
 //! The interfaces of searches: decisions on plain numbers, and a formula that uses them.
 use crate::kernels::row::declares::Declares;
-use crate::{Fixed, Scalar};
+use crate::{Fixed, Real, Scalar};
 use std::hash::Hash;
 
 /// An operation with a search.
@@ -23,6 +23,15 @@ pub trait Search: Declares {
     /// zero: duals leave it out. By default no number is left out.
     fn reads(_record: &Self::Record, _place: usize) -> bool {
         true
+    }
+    /// Returns the result, and the cotangents of the arguments given one of the result, by hand. By default nothing:
+    /// duals of the replay compute them. Derivatives of derivatives are always those of the replay.
+    fn adjoint<S: Real>(
+        _input: Self::In<S>,
+        _record: &Self::Record,
+        _out_bar: Self::Out<S>,
+    ) -> Option<(Self::Out<S>, Self::In<S>)> {
+        None
     }
 }
 
@@ -93,6 +102,15 @@ pub trait HintedSearch: Declares {
     fn is_read(_record: &Self::Record, _place: usize) -> bool {
         true
     }
+    /// Returns the result and cotangents by hand as [`Search::adjoint`] does.
+    fn adjoint_with_hints<S: Real>(
+        _input: Self::In<S>,
+        _record: &Self::Record,
+        _hints: &Self::Hints<S>,
+        _out_bar: Self::Out<S>,
+    ) -> Option<(Self::Out<S>, Self::In<S>)> {
+        None
+    }
 }
 
 impl<D: Search> HintedSearch for D {
@@ -117,5 +135,14 @@ impl<D: Search> HintedSearch for D {
     #[inline]
     fn is_read(record: &<D as Search>::Record, place: usize) -> bool {
         D::reads(record, place)
+    }
+    #[inline]
+    fn adjoint_with_hints<S: Real>(
+        input: <D as Search>::In<S>,
+        record: &<D as Search>::Record,
+        []: &[S; 0],
+        out_bar: <D as Search>::Out<S>,
+    ) -> Option<(<D as Search>::Out<S>, <D as Search>::In<S>)> {
+        D::adjoint(input, record, out_bar)
     }
 }

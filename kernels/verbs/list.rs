@@ -83,6 +83,12 @@ verb! {
     pub FarthestDistance: (a, b)
     /// Depth of the overlap of two shapes and the direction, of length one, in which `b` leaves `a`.
     pub Penetration: (a, b)
+    /// Contact of two shapes of space: a direction, and up to eight pairs of points that are at most `within` apart.
+    pub Contacts: (a, b, within)
+    /// First touch of two moving bodies of space: time, from 0 to 1, place and direction.
+    pub TimeOfImpact: (a, motion_of_a, b, motion_of_b)
+    /// Least signed distance of two moving bodies of space over the times from 0 to 1, in the unit of length.
+    pub Clearance: (a, motion_of_a, b, motion_of_b)
     /// Point in which two lines cross, line in which two planes do, or point of three planes.
     pub Crossing: (a, b)
     /// Part that two segments share: nothing, a point, or a segment.

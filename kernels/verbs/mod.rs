@@ -14,7 +14,7 @@
 //! # Ok::<(), geograd::Error>(())
 //! ```
 //!
-//! The pages of [`Unary`], [`Binary`] and [`Ternary`] list every verb with its shapes. A *row* is a verb, the shapes
+//! The pages of [`Unary`], [`Binary`], [`Ternary`] and [`Quaternary`] list every verb with its shapes. A *row* is a verb, the shapes
 //! that it takes, and the formula. [`operation!`](crate::operation) adds rows for your own shapes,
 //! [`verb!`](crate::verb) defines a verb, and [`function`] runs a plain generic function without a row.
 //!
@@ -22,7 +22,7 @@
 //! ([`prelude`](crate::prelude)): `a.iou(b)`. Distances, closest points and penetration are methods of any two convex
 //! shapes of the plane ([`Convex`](crate::distance::Convex)); a row adds no method to them: `Distance.of(a, b)` calls
 //! it. A batch of a pair without a row runs `function(|a: Segment2<_>, b: Triangle2<_>| a.distance(b))`. A method,
-//! [`of`](Iou::of) and a batch return equal bits. A verb takes up to three arguments; [`function`] and an operation
+//! [`of`](Iou::of) and a batch return equal bits. A verb takes up to four arguments; [`function`] and an operation
 //! with a name of its own take up to six.
 //!
 //! # Verbs by shapes
@@ -95,6 +95,25 @@ pub trait Ternary<A, B, C> {
     /// Computes the result.
     #[doc(hidden)]
     fn apply(a: A, b: B, c: C) -> Self::Out;
+}
+
+/// Verbs of four arguments: `TimeOfImpact: Quaternary<A, M, B, M>` says that `TimeOfImpact` takes two bodies and their motions.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` of `{A}`, `{B}`, `{C}` and `{D}` is not defined",
+    label = "`{Self}` does not take these four shapes",
+    note = "shapes of the library without a row: `function(f)` runs any generic function"
+)]
+pub trait Quaternary<A, B, C, D> {
+    /// The result.
+    type Out;
+    /// The operation of the row.
+    #[doc(hidden)]
+    type By: Copy;
+    #[doc(hidden)]
+    const BY: Self::By;
+    /// Computes the result.
+    #[doc(hidden)]
+    fn apply(a: A, b: B, c: C, d: D) -> Self::Out;
 }
 
 /// Verbs by their arguments as one type, `(Vec2<f64>, Obb2<f64>)` or a lone shape: for code that is generic over the
@@ -177,6 +196,11 @@ macro_rules! __verb {
     };
     ([$($part:tt)*] ($a:ident, $b:ident, $c:ident)) => {
         $crate::__verb!(@$($part)*, Ternary, "three shapes", "this shape and others", (A, B, C), $a: A, [$b: B, $c: C]);
+    };
+    ([$($part:tt)*] ($a:ident, $b:ident, $c:ident, $d:ident)) => {
+        $crate::__verb!(
+            @$($part)*, Quaternary, "four shapes", "this shape and others", (A, B, C, D), $a: A, [$b: B, $c: C, $d: D]
+        );
     };
     (
         @of $Verb:ident, $Takes:ident, $shapes:literal, $these:literal, $In:ty, $a:ident: $A:ident,

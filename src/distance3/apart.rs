@@ -1,7 +1,7 @@
 //! Pairs of shapes of space that have distances, and the functions of any of them.
 use super::core::{Core3, PointCore};
 use super::cored::InflatedCore;
-use super::facing::Patch;
+use super::facing::{Patch, PatchName};
 use super::half_space::{self, Bounded};
 use super::outcome::{Contact3, PointPair3};
 use super::relation::Relation;
@@ -45,10 +45,21 @@ pub trait Apart<B>: Copy {
     /// Returns the faces of both that face each other along a direction from a to b. By default one point each.
     #[doc(hidden)]
     #[inline]
-    fn facing(&self, _other: &B, _normal: Vec3<Self::Scalar>) -> [Patch<Self::Scalar>; 2]
+    fn facing(&self, _other: &B, _normal: Vec3<Self::Scalar>) -> [PatchName; 2]
     where
         Self::Scalar: Scalar<Mask = bool>,
     {
+        [PatchName::Spot; 2]
+    }
+    /// Returns these faces.
+    #[doc(hidden)]
+    #[inline]
+    fn patches(
+        &self,
+        _other: &B,
+        _names: [PatchName; 2],
+        _normal: Vec3<Self::Scalar>,
+    ) -> [Patch<Self::Scalar>; 2] {
         [Patch::Spot; 2]
     }
     /// Returns a guard of the numbers of both.
@@ -224,14 +235,20 @@ impl<A: InflatedCore, B: InflatedCore<Scalar = A::Scalar>> Apart<B> for A {
         }
     }
     #[inline]
-    fn facing(&self, other: &B, normal: Vec3<A::Scalar>) -> [Patch<A::Scalar>; 2]
+    fn facing(&self, other: &B, normal: Vec3<A::Scalar>) -> [PatchName; 2]
     where
         A::Scalar: Scalar<Mask = bool>,
     {
-        [
-            Patch::of(&self.core(), normal, self.radius()),
-            Patch::of(&other.core(), -normal, other.radius()),
-        ]
+        [self.face(normal), other.face(-normal)]
+    }
+    #[inline]
+    fn patches(
+        &self,
+        other: &B,
+        [a, b]: [PatchName; 2],
+        normal: Vec3<A::Scalar>,
+    ) -> [Patch<A::Scalar>; 2] {
+        [self.patch(a, normal), other.patch(b, -normal)]
     }
     #[inline]
     fn farthest(self, other: B) -> A::Scalar {
@@ -279,11 +296,15 @@ impl<S: Scalar, B: Bounded<Scalar = S>> Apart<B> for Plane3<S> {
         half_space::relate(self, other)
     }
     #[inline]
-    fn facing(&self, other: &B, normal: Vec3<S>) -> [Patch<S>; 2]
+    fn facing(&self, other: &B, normal: Vec3<S>) -> [PatchName; 2]
     where
         S: Scalar<Mask = bool>,
     {
-        [Patch::Plane, other.face(-normal)]
+        [PatchName::Plane, other.face(-normal)]
+    }
+    #[inline]
+    fn patches(&self, other: &B, [_, b]: [PatchName; 2], normal: Vec3<S>) -> [Patch<S>; 2] {
+        [Patch::Plane, other.patch(b, -normal)]
     }
 }
 
@@ -298,11 +319,15 @@ impl<S: Scalar, A: Bounded<Scalar = S>> Apart<Plane3<S>> for A {
         half_space::relate(other, self).flipped()
     }
     #[inline]
-    fn facing(&self, _: &Plane3<S>, normal: Vec3<S>) -> [Patch<S>; 2]
+    fn facing(&self, _: &Plane3<S>, normal: Vec3<S>) -> [PatchName; 2]
     where
         S: Scalar<Mask = bool>,
     {
-        [self.face(normal), Patch::Plane]
+        [self.face(normal), PatchName::Plane]
+    }
+    #[inline]
+    fn patches(&self, _: &Plane3<S>, [a, _]: [PatchName; 2], normal: Vec3<S>) -> [Patch<S>; 2] {
+        [self.patch(a, normal), Patch::Plane]
     }
 }
 

@@ -1,7 +1,7 @@
 //! Half-spaces against all that ends: the point of a shape that is farthest behind the plane.
 use super::core::Core3;
 use super::cored::InflatedCore;
-use super::facing::Patch;
+use super::facing::{Patch, PatchName, face_of_core};
 use super::near::Low;
 use super::relation::{Relation, direction, square_of_gap};
 use super::round::Revolved;
@@ -19,10 +19,15 @@ pub(crate) trait Bounded: Copy + Pack<Scalar: Scalar> {
     fn lowest(self, normal: Vec3<Self::Scalar>) -> (Self::Scalar, Vec3<Self::Scalar>);
     /// Returns its face that faces a direction of length one. By default its nearest point.
     #[inline]
-    fn face(self, _toward: Vec3<Self::Scalar>) -> Patch<Self::Scalar>
+    fn face(self, _toward: Vec3<Self::Scalar>) -> PatchName
     where
         Self::Scalar: Scalar<Mask = bool>,
     {
+        PatchName::Spot
+    }
+    /// Returns a face by its name, given the direction that it faces.
+    #[inline]
+    fn patch(self, _name: PatchName, _toward: Vec3<Self::Scalar>) -> Patch<Self::Scalar> {
         Patch::Spot
     }
     /// Returns a guard with the numbers that matter: by default with all.
@@ -43,11 +48,16 @@ impl<A: InflatedCore> Bounded for A {
         }
     }
     #[inline]
-    fn face(self, toward: Vec3<A::Scalar>) -> Patch<A::Scalar>
+    fn face(self, toward: Vec3<A::Scalar>) -> PatchName
     where
         A::Scalar: Scalar<Mask = bool>,
     {
-        Patch::of(&self.core(), toward, self.radius())
+        face_of_core(&self.core(), toward)
+    }
+    #[inline]
+    fn patch(self, name: PatchName, toward: Vec3<A::Scalar>) -> Patch<A::Scalar> {
+        let (corners, out) = (self.core().corners(), toward * self.radius());
+        Patch::named(name, |k| corners.as_ref()[k] + out)
     }
 }
 
@@ -85,25 +95,27 @@ impl<S: Scalar> Bounded for Cylinder<S> {
         (height - down, point - way)
     }
     #[inline]
-    fn face(self, toward: Vec3<S>) -> Patch<S>
+    fn face(self, toward: Vec3<S>) -> PatchName
     where
         S: Scalar<Mask = bool>,
     {
         let axis = self.axis().normalize_or_zero();
         let rise = axis.dot(toward);
         match rise.unsigned().above(S::lit(STEEP)) {
-            true => {
-                let end = if rise.above(S::zero()) {
-                    self.end
-                } else {
-                    self.start
-                };
-                Patch::rim(end, axis, self.radius)
+            true => PatchName::rim(u8::from(rise.above(S::zero())), axis),
+            false => PatchName::Side,
+        }
+    }
+    #[inline]
+    fn patch(self, name: PatchName, toward: Vec3<S>) -> Patch<S> {
+        let axis = self.axis().normalize_or_zero();
+        let ends = [self.start, self.end];
+        match name {
+            PatchName::Rim { end, helper } => {
+                Patch::rim(ends[usize::from(end)], axis, helper, self.radius)
             }
-            false => {
-                let ends = [self.start, self.end].map(|end| (end, self.radius));
-                Patch::side(ends, axis, toward)
-            }
+            PatchName::Side => Patch::side(ends.each_as(|end| (end, self.radius)), axis, toward),
+            _ => Patch::Spot,
         }
     }
 }
@@ -116,7 +128,7 @@ impl<S: Scalar> Bounded for Cone<S> {
         lower((normal.dot(self.apex), self.apex), rim)
     }
     #[inline]
-    fn face(self, toward: Vec3<S>) -> Patch<S>
+    fn face(self, toward: Vec3<S>) -> PatchName
     where
         S: Scalar<Mask = bool>,
     {
@@ -127,9 +139,21 @@ impl<S: Scalar> Bounded for Cone<S> {
         let across = (toward - axis * rise).length();
         let side = (across * height - rise * radius).over(height.hypot(radius));
         match (rise.at_least(side), rise.most(side).below(S::lit(0.5))) {
-            (_, true) => Patch::Spot,
-            (true, _) => Patch::rim(self.base, axis, radius),
-            (false, _) => Patch::side([(self.apex, S::zero()), (self.base, radius)], axis, toward),
+            (_, true) => PatchName::Spot,
+            (true, _) => PatchName::rim(0, axis),
+            (false, _) => PatchName::Side,
+        }
+    }
+    #[inline]
+    fn patch(self, name: PatchName, toward: Vec3<S>) -> Patch<S> {
+        let axis = self.axis().normalize_or_zero();
+        match name {
+            PatchName::Rim { helper, .. } => Patch::rim(self.base, axis, helper, self.radius),
+            PatchName::Side => {
+                let ends = [(self.apex, S::zero()), (self.base, self.radius)];
+                Patch::side(ends, axis, toward)
+            }
+            _ => Patch::Spot,
         }
     }
 }

@@ -96,9 +96,11 @@ mod between;
 pub(crate) mod box_core;
 pub(crate) mod boxes;
 mod contact;
+mod contact_points;
 pub(crate) mod core;
 pub(crate) mod cored;
 pub mod curved;
+pub(crate) mod decided;
 pub(crate) mod deep;
 mod enclosed;
 mod endless;
@@ -109,6 +111,8 @@ pub(crate) mod half_space;
 pub mod hulls;
 mod inherent;
 mod manifold;
+mod manifold_record;
+mod manifold_search;
 pub(crate) mod near;
 mod outcome;
 mod pair;
@@ -124,6 +128,8 @@ pub use apart::{
     Apart, closest_points, distance, farthest_distance, penetration, signed_distance,
     squared_distance,
 };
+pub use contact_points::{ContactPoint3, Contacts3};
 pub use curved::{BySupport, SupportFunction};
-pub use manifold::{ContactPoint3, Contacts3, contacts};
+pub use manifold::contacts;
+pub(crate) use manifold_record::ContactRecord;
 pub use outcome::{Contact3, PointPair3};

@@ -20,6 +20,7 @@
 //! Decisions are those of exact arithmetic on the given numbers, where sizes differ by less than 10⁷⁰. Values and
 //! derivatives are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in `f32`, from
 //! 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
+mod faces_record;
 mod orientation;
 mod start;
 mod surface;
@@ -28,6 +29,7 @@ mod triangles;
 use crate::distance::edge::scale_of;
 use crate::scalar::largest;
 use crate::{Hull3, Scalar, Vec3};
+pub(crate) use faces_record::HullFacesRecord;
 pub(crate) use surface::{HullEdge, Surface};
 
 /// The faces of the convex hull of points, by their numbers.

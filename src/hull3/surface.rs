@@ -60,6 +60,11 @@ impl Surface {
             .zip(&self.ends)
             .map(|(start, &end)| &self.rings[start..end])
     }
+    /// Adds a facet.
+    pub fn add_ring(&mut self, ring: impl Iterator<Item = usize>) {
+        self.rings.extend(ring);
+        self.ends.push(self.rings.len());
+    }
     /// Returns the edges, each once.
     pub fn edges(&self) -> Vec<HullEdge> {
         if let (1, &[from, to]) = (self.dimension, &self.corners[..]) {

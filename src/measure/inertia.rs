@@ -7,7 +7,8 @@
 //! Every sum is of numbers that are not negative, so that thin solids keep the digits of their small moments.
 use crate::arrays::Each;
 use crate::shape::{
-    Aabb3, Capsule3, Cone, Cylinder, Obb3, RoundBox3, Sphere, Symmetric3, Tetrahedron, YawBox3,
+    Aabb3, Capsule3, Cone, Cylinder, Ellipsoid, Obb3, RoundBox3, Sphere, Symmetric3, Tetrahedron,
+    YawBox3,
 };
 use crate::{Scalar, Vec3};
 use std::f64::consts::PI;
@@ -96,6 +97,27 @@ impl<S: Scalar> Obb3<S> {
     pub fn inertia(self) -> Symmetric3<S> {
         let own = diagonal(of_sizes(self.size));
         own.turned(self.rotation).canonical()
+    }
+}
+
+impl<S: Scalar> Ellipsoid<S> {
+    /// Returns the inertia about the centre by unit density.
+    ///
+    /// ```
+    /// use geograd::{Ellipsoid, Rotation3, Vec3};
+    /// let egg = Ellipsoid::new(Vec3::new(7.0_f64, 0.0, 0.0), Vec3::new(1.0, 2.0, 3.0), Rotation3::identity());
+    /// let found = egg.inertia();
+    /// assert!((found.xx - egg.volume() * 13.0 / 5.0).abs() < 1e-13);
+    /// ```
+    #[must_use]
+    #[inline]
+    pub fn inertia(self) -> Symmetric3<S> {
+        // A box with these sizes and the volume of the ellipsoid has 5/3 of its moments.
+        let [x, y, z] = of_sizes(self.semi_axes + self.semi_axes);
+        let share = S::lit(PI / 10.0);
+        diagonal([x * share, y * share, z * share])
+            .turned(self.rotation)
+            .canonical()
     }
 }
 

@@ -1,6 +1,7 @@
 //! The least distance of two moving bodies.
+use super::minimum::{Place, judged};
 use super::moving::{Body3, Bounds, MovingPair};
-use crate::distance3::Apart;
+use crate::distance3::decided::Decided;
 use crate::predicate::order;
 use crate::{Scalar, Vec3};
 
@@ -54,7 +55,7 @@ struct Search<'a, P, A, B> {
 impl<P, A, B> Search<'_, P, A, B>
 where
     P: Scalar<Mask = bool>,
-    A: Body3<Scalar = P> + Apart<B, Scalar = P>,
+    A: Body3<Scalar = P> + Decided<B>,
     B: Body3<Scalar = P>,
 {
     fn sample(&mut self, time: P) -> Sample<P> {
@@ -100,11 +101,11 @@ where
     }
 }
 
-/// Returns the time of the least distance.
-pub(super) fn search<P, A, B>(pair: &MovingPair<P, A, B>) -> P
+/// Returns the place of the least distance.
+pub(super) fn search<P, A, B>(pair: &MovingPair<P, A, B>) -> Place<P>
 where
     P: Scalar<Mask = bool>,
-    A: Body3<Scalar = P> + Apart<B, Scalar = P>,
+    A: Body3<Scalar = P> + Decided<B>,
     B: Body3<Scalar = P>,
 {
     let bounds = pair.bounds();
@@ -153,7 +154,8 @@ where
             false => parts.extend([second, first]),
         }
     }
-    search.refined(&least)
+    let time = search.refined(&least);
+    judged(pair, &bounds, time)
 }
 
 impl<P: Scalar<Mask = bool>> Least<P> {
@@ -175,7 +177,7 @@ const SECTIONS: usize = 80;
 impl<P, A, B> Search<'_, P, A, B>
 where
     P: Scalar<Mask = bool>,
-    A: Body3<Scalar = P> + Apart<B, Scalar = P>,
+    A: Body3<Scalar = P> + Decided<B>,
     B: Body3<Scalar = P>,
 {
     /// Returns the time of the least distance near a sample, by the golden section.
@@ -207,19 +209,5 @@ where
             }
         }
         best.time
-    }
-}
-
-/// Returns the distance with derivatives at a time.
-pub(super) fn replay<S, A, B>(pair: MovingPair<S, A, B>, time: S::Primal) -> Clearance3<S>
-where
-    S: Scalar,
-    A: Body3<Scalar = S> + Apart<B, Scalar = S>,
-    B: Body3<Scalar = S>,
-{
-    let time = S::from_primal(time);
-    Clearance3 {
-        distance: pair.relation(time).apart.saturated().canonical(),
-        time,
     }
 }

@@ -1,6 +1,7 @@
 //! The first time at which two moving bodies touch.
 use super::moving::{Body3, Bounds, MovingPair};
-use crate::distance3::Apart;
+use crate::distance3::decided::Decided;
+use crate::distance3::relation::Relation;
 use crate::{Scalar, Vec3};
 
 /// The first touch of two moving bodies of space.
@@ -29,20 +30,33 @@ const STEPS: usize = 2_000;
 /// The largest number of gaps per step.
 const TRIALS: usize = 12;
 
+/// How two bodies meet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Meeting {
+    /// They touch or overlap at time 0.
+    AtStart,
+    /// They touch with hardly a speed toward each other: the time has no derivative.
+    Grazing,
+    /// One runs into the other.
+    Head,
+}
+
 /// The moment of an impact as plain numbers.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Moment<P> {
     /// The time.
-    time: P,
-    /// `true` if the bodies touch at time 0.
-    at_start: bool,
+    pub time: P,
+    /// The change of the gap with time then.
+    pub rate: P,
+    /// How the bodies meet.
+    pub meeting: Meeting,
 }
 
 /// Returns the first time at which the distance is some roundings.
 pub(super) fn search<P, A, B>(pair: &MovingPair<P, A, B>) -> Option<Moment<P>>
 where
     P: Scalar<Mask = bool>,
-    A: Body3<Scalar = P> + Apart<B, Scalar = P>,
+    A: Body3<Scalar = P> + Decided<B>,
     B: Body3<Scalar = P>,
 {
     let bounds = pair.bounds();
@@ -51,17 +65,39 @@ where
     for _ in 0..STEPS {
         let relation = pair.relation(time);
         if relation.apart.at_most(enough) {
-            let at_start = time.at_most(P::zero());
-            return Some(Moment { time, at_start });
+            return Some(moment(pair, time, &relation, &bounds));
         }
         let gap = |after: P| pair.gap(time + after, relation.normal);
         time += step(gap, relation.apart, P::one() - time, &bounds)?;
     }
     // The gap is a rounding as far as these numbers tell.
-    Some(Moment {
+    Some(moment(pair, time, &pair.relation(time), &bounds))
+}
+
+/// Returns the moment of an impact at a time, given the relation of the bodies then.
+fn moment<P, A, B>(
+    pair: &MovingPair<P, A, B>,
+    time: P,
+    relation: &Relation<P>,
+    bounds: &Bounds<P>,
+) -> Moment<P>
+where
+    P: Scalar<Mask = bool>,
+    A: Body3<Scalar = P>,
+    B: Body3<Scalar = P>,
+{
+    let rate = pair.rate(time, relation);
+    let head = (-rate).above(bounds.speed * P::rounding(GRAZING, 1));
+    let meeting = match (time.at_most(P::zero()), head) {
+        (true, _) => Meeting::AtStart,
+        (_, true) => Meeting::Head,
+        _ => Meeting::Grazing,
+    };
+    Moment {
         time,
-        at_start: false,
-    })
+        rate,
+        meeting,
+    }
 }
 
 /// Returns a time over which the gap stays positive, or nothing if that is all the time that is left.
@@ -101,39 +137,38 @@ fn step<P: Scalar<Mask = bool>>(
     Some(low.0)
 }
 
-/// Returns an impact with derivatives, given its time as a number.
+/// Returns the impact of bodies that miss each other.
+pub(super) fn miss<S: Scalar>() -> Impact3<S> {
+    Impact3 {
+        time: S::largest(),
+        point: Vec3::zero(),
+        normal: Vec3::zero(),
+        kind: S::zero(),
+    }
+}
+
+/// Returns an impact with derivatives, given its moment as constants and the decisions about the bodies then.
 pub(super) fn replay<S, A, B>(
-    pair: MovingPair<S, A, B>,
-    found: Option<Moment<S::Primal>>,
+    pair: &MovingPair<S, A, B>,
+    found: Moment<S>,
+    decided: &(A::Decisions, A::Hints),
 ) -> Impact3<S>
 where
-    S: Scalar<Mask = bool>,
-    A: Body3<Scalar = S> + Apart<B, Scalar = S>,
+    S: Scalar,
+    A: Body3<Scalar = S> + Decided<B>,
     B: Body3<Scalar = S>,
 {
-    let Some(Moment { time, at_start }) = found else {
-        return Impact3 {
-            time: S::largest(),
-            point: Vec3::zero(),
-            normal: Vec3::zero(),
-            kind: S::zero(),
-        };
-    };
-    let mut time = S::from_primal(time);
-    let mut relation = pair.relation(time);
-    if !at_start {
-        let rate = S::from_primal(pair.rate(time, &relation).primal());
-        let bounds = pair.bounds();
-        let grazes = S::from_primal(bounds.speed.primal()) * S::rounding(GRAZING, 1);
-        if (-rate).above(grazes) {
-            // Each step with a constant rate makes derivatives of one more order right.
-            for _ in 0..2 {
-                time -= relation.apart.over(rate);
-                relation = pair.relation(time);
-            }
-            time = time.most(S::zero()).least(S::one());
+    let mut time = found.time;
+    let mut relation = pair.replayed(time, decided);
+    if found.meeting == Meeting::Head {
+        // Each step with a constant rate makes derivatives of one more order right.
+        for _ in 0..2 {
+            time -= relation.apart.over(found.rate);
+            relation = pair.replayed(time, decided);
         }
+        time = time.most(S::zero()).least(S::one());
     }
+    let at_start = found.meeting == Meeting::AtStart;
     Impact3 {
         time: time.canonical(),
         point: relation.on_a.canonical(),

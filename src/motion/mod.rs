@@ -6,10 +6,11 @@
 //! | [`time_of_impact`] | the first time at which two moving bodies touch |
 //! | [`clearance`] | the least distance along both motions, and its time |
 //!
-//! Times are from 0 to 1, the whole motion. Bodies are the convex shapes of space with a pose: points,
+//! Times are from 0 to 1, the whole motion. Bodies are any two convex shapes of space with a pose: points,
 //! [`Segment3`](crate::Segment3), [`Triangle3`](crate::Triangle3), [`Tetrahedron`](crate::Tetrahedron),
-//! [`Obb3`](crate::Obb3), [`RoundBox3`](crate::RoundBox3), [`Sphere`](crate::Sphere), [`Capsule3`](crate::Capsule3), any
-//! two of them, and [`Cylinder`](crate::Cylinder) or [`Cone`](crate::Cone) with points and balls.
+//! [`Obb3`](crate::Obb3), [`RoundBox3`](crate::RoundBox3), [`Sphere`](crate::Sphere), [`Capsule3`](crate::Capsule3),
+//! [`Hull3`](crate::Hull3), [`Cylinder`](crate::Cylinder), [`Cone`](crate::Cone), [`Ellipsoid`](crate::Ellipsoid) and
+//! [`Disc`](crate::Disc).
 //!
 //! ```
 //! use geograd::motion::{Moves as _, Motion3};
@@ -40,15 +41,20 @@
 //! # Derivatives
 //!
 //! By the implicit function theorem the time of an impact has the derivative `−(∂f/∂θ)/(∂f/∂t)` with f the signed
-//! distance: two Newton steps from the number that was found, so that second derivatives are right, too. The least
-//! distance has the derivative of the distance at its time, held fixed (envelope theorem); that time has no derivative.
+//! distance: two Newton steps from the number that was found, so that second derivatives are right, too. A least
+//! distance is of one of three kinds. At an end of the time it has the derivative of the distance at that time. Where the
+//! rate is zero, one Newton step by time makes derivatives of both orders right. Where bodies overlap, the depth out of
+//! one face may fall while that out of another rises: there the time follows the crossing of both, and derivatives are
+//! shared by the rates. The time that is told has no derivative.
 //!
 //! Kinks: an impact that grazes, where bodies touch without approach, is a jump: the time has derivative zero there.
 //! Bodies that touch at time 0 have time 0 with derivative zero. A miss has the largest finite number as its time, with
 //! derivative zero. The derivatives of the distance at that time have the kinks of [`distance3`](crate::distance3). Of
-//! several times with the least distance the first that was found counts.
+//! several times with the least distance the first that was found counts. A face that stays parallel to another one has
+//! the mean of their slopes, which is 0 by a turn where both sides are alike.
 mod clearance;
 mod impact;
+mod minimum;
 mod motion3;
 mod moves;
 mod moving;
@@ -56,4 +62,9 @@ mod moving;
 pub use clearance::Clearance3;
 pub use impact::Impact3;
 pub use motion3::Motion3;
+pub(crate) use moves::{
+    ClearanceHints, ClearanceRecord, ImpactRecord, clearance_decided, clearance_replayed,
+    impact_decided, impact_replayed,
+};
 pub use moves::{Moves, clearance, time_of_impact};
+pub(crate) use moving::MovingPair;

@@ -1,10 +1,11 @@
 //! Functions of two moving bodies.
 use super::clearance::{self, Clearance3};
-use super::impact::{self, Impact3};
+use super::impact::{self, Impact3, Meeting, Moment};
+use super::minimum::{self, Minimum, Place};
 use super::motion3::Motion3;
 use super::moving::{Body3, MovingPair};
-use crate::distance3::Apart;
-use crate::scalar::Guard;
+use crate::distance3::decided::Decided;
+use crate::scalar::{Guard, noted};
 use crate::{Pack, Scalar};
 
 /// Two bodies of space that move: `a.time_of_impact(motion_a, b, motion_b)` and alike.
@@ -45,21 +46,130 @@ pub trait Moves<B>: Copy {
 impl<S, A, B, PlainA, PlainB> Moves<B> for A
 where
     S: Scalar<Mask = bool>,
-    A: Body3 + Pack<Scalar = S, With<S::Primal> = PlainA> + Apart<B, Scalar = S>,
+    A: Body3 + Pack<Scalar = S, With<S::Primal> = PlainA> + Decided<B>,
     B: Body3 + Pack<Scalar = S, With<S::Primal> = PlainB>,
-    PlainA: Body3<Scalar = S::Primal> + Apart<PlainB, Scalar = S::Primal>,
+    PlainA: Body3<Scalar = S::Primal> + Decided<PlainB>,
     PlainB: Body3<Scalar = S::Primal>,
 {
     type Scalar = S;
     fn time_of_impact(self, motion: Motion3<S>, other: B, other_motion: Motion3<S>) -> Impact3<S> {
         let guard = Guard::of(&self).and(&other).and(&motion).and(&other_motion);
         let pair = MovingPair::new((self, motion), (other, other_motion));
-        guard.result(impact::replay(pair, impact::search(&pair.plain())))
+        let (record, hints) = impact_decided(&pair);
+        guard.result(impact_replayed(&pair, &record, hints))
     }
     fn clearance(self, motion: Motion3<S>, other: B, other_motion: Motion3<S>) -> Clearance3<S> {
         let guard = Guard::of(&self).and(&other).and(&motion).and(&other_motion);
         let pair = MovingPair::new((self, motion), (other, other_motion));
-        guard.result(clearance::replay(pair, clearance::search(&pair.plain())))
+        let (record, hints) = clearance_decided(&pair);
+        guard.result(clearance_replayed(&pair, &record, hints))
+    }
+}
+
+/// The decisions about an impact: how the bodies meet, and those about their relation then; `None` for a miss.
+pub(crate) type ImpactRecord<D> = Option<(Meeting, D)>;
+
+/// Returns the decisions about an impact, and the hints: its time, the rate of the gap, and those of the relation.
+pub(crate) fn impact_decided<S, A, B, PlainA, PlainB>(
+    pair: &MovingPair<S, A, B>,
+) -> (ImpactRecord<A::Decisions>, (S, S, A::Hints))
+where
+    S: Scalar<Mask = bool>,
+    A: Body3 + Pack<Scalar = S, With<S::Primal> = PlainA> + Decided<B>,
+    B: Body3 + Pack<Scalar = S, With<S::Primal> = PlainB>,
+    PlainA: Body3<Scalar = S::Primal> + Decided<PlainB>,
+    PlainB: Body3<Scalar = S::Primal>,
+{
+    match impact::search(&pair.plain()) {
+        Some(found) => {
+            let [time, rate] = [found.time, found.rate].map(S::from_primal);
+            let (decisions, hints) = pair.decided(time);
+            noted::<S::Primal>(2, [1 + found.meeting as u32]);
+            (Some((found.meeting, decisions)), (time, rate, hints))
+        }
+        None => {
+            noted::<S::Primal>(2, [0]);
+            (None, (S::zero(), S::one(), pair.decided(S::zero()).1))
+        }
+    }
+}
+
+/// Returns an impact from its decisions and hints.
+pub(crate) fn impact_replayed<S, A, B>(
+    pair: &MovingPair<S, A, B>,
+    record: &ImpactRecord<A::Decisions>,
+    (time, rate, hints): (S, S, A::Hints),
+) -> Impact3<S>
+where
+    S: Scalar,
+    A: Body3<Scalar = S> + Decided<B>,
+    B: Body3<Scalar = S>,
+{
+    record.map_or_else(impact::miss, |(meeting, decisions)| {
+        let found = Moment {
+            time,
+            rate,
+            meeting,
+        };
+        impact::replay(pair, found, &(decisions, hints))
+    })
+}
+
+/// The decisions about a least distance: its kind, and those about the relation on both sides of its time.
+pub(crate) type ClearanceRecord<D> = (Minimum, [D; 2]);
+
+/// The hints of a least distance: its time and number, the width of the sides and the curvature, and those of both
+/// relations.
+pub(crate) type ClearanceHints<S, H> = ([S; 4], [H; 2]);
+
+/// Returns the decisions about the least distance, and the hints.
+pub(crate) fn clearance_decided<S, A, B, PlainA, PlainB>(
+    pair: &MovingPair<S, A, B>,
+) -> (ClearanceRecord<A::Decisions>, ClearanceHints<S, A::Hints>)
+where
+    S: Scalar<Mask = bool>,
+    A: Body3 + Pack<Scalar = S, With<S::Primal> = PlainA> + Decided<B>,
+    B: Body3 + Pack<Scalar = S, With<S::Primal> = PlainB>,
+    PlainA: Body3<Scalar = S::Primal> + Decided<PlainB>,
+    PlainB: Body3<Scalar = S::Primal>,
+{
+    let found = clearance::search(&pair.plain());
+    let numbers = [found.time, found.least, found.width, found.curvature].map(S::from_primal);
+    let [time, _, width, _] = numbers;
+    let sides = match found.kind {
+        Minimum::Crossing => [time - width, time + width],
+        _ => [time; 2],
+    };
+    let [(before, first), (after, second)] = sides.map(|t| pair.decided(t));
+    noted::<S::Primal>(2, [found.kind as u32]);
+    ((found.kind, [before, after]), (numbers, [first, second]))
+}
+
+/// Returns the least distance and its time from decisions and hints.
+pub(crate) fn clearance_replayed<S, A, B>(
+    pair: &MovingPair<S, A, B>,
+    (kind, decisions): &ClearanceRecord<A::Decisions>,
+    (numbers, hints): ClearanceHints<S, A::Hints>,
+) -> Clearance3<S>
+where
+    S: Scalar,
+    A: Body3<Scalar = S> + Decided<B>,
+    B: Body3<Scalar = S>,
+{
+    let [time, least, width, curvature] = numbers;
+    let place = Place {
+        kind: *kind,
+        time,
+        least,
+        width,
+        curvature,
+    };
+    let [before, after] = *decisions;
+    let [first, second] = hints;
+    let distance = minimum::replay(pair, place, [&(before, first), &(after, second)]);
+    Clearance3 {
+        distance: distance.saturated().canonical(),
+        time,
     }
 }
 

@@ -1,6 +1,6 @@
 //! Bodies that move, and the bounds of their gaps over some time.
 use super::motion3::Motion3;
-use crate::distance3::Apart;
+use crate::distance3::decided::Decided;
 use crate::distance3::farthest_distance;
 use crate::distance3::half_space::Bounded;
 use crate::distance3::relation::Relation;
@@ -16,18 +16,23 @@ pub(crate) trait Body3: Bounded {
     /// Returns the shape moved.
     fn moved(self, pose: Pose3<Self::Scalar>) -> Self;
     /// Returns how far its farthest point is from the origin.
-    fn reach(self) -> Self::Scalar;
+    fn reach(self) -> Self::Scalar
+    where
+        Self::Scalar: Scalar<Mask = bool>;
 }
 
 macro_rules! bodies {
     ($($Shape:ident $(<$N:ident>)?)*) => { $(
-        impl<S: Scalar<Mask = bool> $(, const $N: usize)?> Body3 for $Shape<S $(, $N)?> {
+        impl<S: Scalar $(, const $N: usize)?> Body3 for $Shape<S $(, $N)?> {
             #[inline]
             fn moved(self, pose: Pose3<S>) -> Self {
                 pose * self
             }
             #[inline]
-            fn reach(self) -> S {
+            fn reach(self) -> S
+            where
+                S: Scalar<Mask = bool>,
+            {
                 farthest_distance(self, Vec3::zero())
             }
         }
@@ -39,7 +44,7 @@ bodies! {
 
 /// Two bodies, each relative to the centre of its turn, and their motions.
 #[derive(Clone, Copy)]
-pub(super) struct MovingPair<S, A, B> {
+pub(crate) struct MovingPair<S, A, B> {
     /// The first body and its motion.
     a: (A, Motion3<S>),
     /// The second body and its motion.
@@ -48,7 +53,7 @@ pub(super) struct MovingPair<S, A, B> {
 
 impl<S: Scalar, A: Body3<Scalar = S>, B: Body3<Scalar = S>> MovingPair<S, A, B> {
     /// Creates a pair from bodies at time 0.
-    pub(super) fn new((a, of_a): (A, Motion3<S>), (b, of_b): (B, Motion3<S>)) -> Self {
+    pub(crate) fn new((a, of_a): (A, Motion3<S>), (b, of_b): (B, Motion3<S>)) -> Self {
         MovingPair {
             a: (a.moved(of_a.before_center()), of_a),
             b: (b.moved(of_b.before_center()), of_b),
@@ -70,13 +75,34 @@ impl<S: Scalar, A: Body3<Scalar = S>, B: Body3<Scalar = S>> MovingPair<S, A, B> 
         let ((a, of_a), (b, of_b)) = (self.a, self.b);
         (a.moved(of_a.after_center(t)), b.moved(of_b.after_center(t)))
     }
+    /// Returns the decisions about the bodies at a time, and their hints.
+    pub(super) fn decided(&self, t: S) -> (A::Decisions, A::Hints)
+    where
+        S: Scalar<Mask = bool>,
+        A: Decided<B>,
+    {
+        let (a, b) = self.at(t);
+        a.decided(&b)
+    }
+    /// Returns the relation of the bodies at a time from decisions and hints.
+    pub(super) fn replayed(
+        &self,
+        t: S,
+        (decisions, hints): &(A::Decisions, A::Hints),
+    ) -> Relation<S>
+    where
+        A: Decided<B>,
+    {
+        let (a, b) = self.at(t);
+        a.replayed(&b, decisions, hints)
+    }
     /// Returns the relation of the bodies at a time.
     pub(super) fn relation(&self, t: S) -> Relation<S>
     where
-        A: Apart<B, Scalar = S>,
+        S: Scalar<Mask = bool>,
+        A: Decided<B>,
     {
-        let (a, b) = self.at(t);
-        a.relation(b)
+        self.replayed(t, &self.decided(t))
     }
     /// Returns the gap of the bodies along a direction of length one, at a time.
     pub(super) fn gap(&self, t: S, normal: Vec3<S>) -> S {
@@ -90,7 +116,10 @@ impl<S: Scalar, A: Body3<Scalar = S>, B: Body3<Scalar = S>> MovingPair<S, A, B> 
         relation.normal.dot(of_b - of_a)
     }
     /// Returns the bounds of a gap's first and second derivatives by time.
-    pub(super) fn bounds(&self) -> Bounds<S> {
+    pub(super) fn bounds(&self) -> Bounds<S>
+    where
+        S: Scalar<Mask = bool>,
+    {
         let [ra, rb] = [self.a.0.reach(), self.b.0.reach()];
         let [wa, wb] = [self.a.1.turn.length(), self.b.1.turn.length()];
         let relative = (self.b.1.velocity - self.a.1.velocity).length();

@@ -6,7 +6,7 @@ use super::{Curved, Placed, farthest, relate};
 use crate::arrays::Each;
 use crate::distance3::apart::Apart;
 use crate::distance3::curved::{BySupport, SupportFunction};
-use crate::distance3::facing::Patch;
+use crate::distance3::facing::{Patch, PatchName};
 use crate::distance3::half_space::Bounded;
 use crate::distance3::hulls::{
     CornerList, Cornered, FixedCorners, HullBody, HullFace, PointColumns, around, numbers,
@@ -253,7 +253,7 @@ impl<S: Scalar, const N: usize> Placed<S> for HullInUnits<S, N> {
     }
 }
 
-impl<S: Scalar<Mask = bool>, const N: usize> Curved for Hull3<S, N> {
+impl<S: Scalar, const N: usize> Curved for Hull3<S, N> {
     type Placed = HullInUnits<S, N>;
     fn anchor_point(&self) -> Vec3<S> {
         self.vertices[0]
@@ -281,8 +281,11 @@ macro_rules! hulls {
             fn relation(self, other: $B) -> Relation<S> {
                 relate(self, other)
             }
-            fn facing(&self, other: &$B, normal: Vec3<S>) -> [Patch<S>; 2] {
+            fn facing(&self, other: &$B, normal: Vec3<S>) -> [PatchName; 2] {
                 [self.face(normal), other.face(-normal)]
+            }
+            fn patches(&self, other: &$B, [a, b]: [PatchName; 2], normal: Vec3<S>) -> [Patch<S>; 2] {
+                [self.patch(a, normal), other.patch(b, -normal)]
             }
             fn farthest(self, other: $B) -> S {
                 farthest(self, other)

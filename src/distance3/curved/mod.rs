@@ -40,12 +40,12 @@ mod touching;
 use super::apart::Apart;
 use super::core::Core3;
 use super::cored::{InflatedCore, axes};
-use super::facing::Patch;
+use super::facing::{Patch, PatchName};
 use super::half_space::Bounded;
 use super::relation::{Relation, direction, square_of_gap};
 use crate::arrays::Each;
 use crate::distance::edge::scale_of;
-use crate::scalar::Guard;
+use crate::scalar::{Guard, noted};
 use crate::shape::{
     Aabb3, Capsule3, Cone, Cylinder, Disc, Ellipsoid, Obb3, RoundBox3, Segment3, Tetrahedron,
     Triangle3, YawBox3,
@@ -239,7 +239,8 @@ where
         Some((of_a, of_b)) => decided(&of_a, &of_b, farthest, scale, by_x),
         None => hints::none(),
     };
-    noted::<S::Primal>(record);
+    noted::<S::Primal>(1, [record.settled.into()]);
+    noted::<S::Primal>(32, record.pieces.into_iter().flatten());
     (record, hints)
 }
 
@@ -265,20 +266,6 @@ fn decided<S: Scalar>(
             hints::of(&found, &system, scale, by_x)
         }
         None => hints::none(),
-    }
-}
-
-/// Compares constants by the record, so that traces of comparisons differ where records do. For plain numbers this is
-/// nothing.
-#[inline(always)]
-fn noted<P: Scalar>(record: CurvedRecord) {
-    let bit = |one: bool| {
-        let side = P::lit(if one { 1.0 } else { -1.0 });
-        let _ = side.below(-side);
-    };
-    bit(record.settled);
-    for piece in record.pieces.into_iter().flatten() {
-        (0..32).for_each(|k| bit(piece >> k & 1 == 1));
     }
 }
 
@@ -393,8 +380,11 @@ macro_rules! apart {
                 relate(self, other)
             }
             #[inline]
-            fn facing(&self, other: &$B, normal: Vec3<S>) -> [Patch<S>; 2] {
+            fn facing(&self, other: &$B, normal: Vec3<S>) -> [PatchName; 2] {
                 [self.face(normal), other.face(-normal)]
+            }
+            fn patches(&self, other: &$B, [a, b]: [PatchName; 2], normal: Vec3<S>) -> [Patch<S>; 2] {
+                [self.patch(a, normal), other.patch(b, -normal)]
             }
             #[inline]
             fn farthest(self, other: $B) -> S {
@@ -446,14 +436,26 @@ impl<S: Scalar> Bounded for Disc<S> {
         (normal.dot(self.center) - down, self.center - way)
     }
     #[inline]
-    fn face(self, toward: Vec3<S>) -> Patch<S>
+    fn face(self, toward: Vec3<S>) -> PatchName
     where
         S: Scalar<Mask = bool>,
     {
         let axis = self.normal.normalize_or_zero();
         match axis.dot(toward).unsigned().below(S::lit(0.5)) {
-            true => Patch::Spot,
-            false => Patch::rim(self.center, axis, self.radius),
+            true => PatchName::Spot,
+            false => PatchName::rim(0, axis),
+        }
+    }
+    #[inline]
+    fn patch(self, name: PatchName, _: Vec3<S>) -> Patch<S> {
+        match name {
+            PatchName::Rim { helper, .. } => Patch::rim(
+                self.center,
+                self.normal.normalize_or_zero(),
+                helper,
+                self.radius,
+            ),
+            _ => Patch::Spot,
         }
     }
 }

@@ -152,16 +152,13 @@ fn two_edges<P: Scalar<Primal = P>>(a: Corners<P>, b: Corners<P>) -> Touching<P>
     }
 }
 
-/// Returns the relation of two features.
-fn related<S: Scalar>(
-    features: &HullFeatures,
-    a: Corners<S>,
-    b: Corners<S>,
-    inside: bool,
-) -> Relation<S> {
-    type P<S> = <S as Scalar>::Primal;
-    let (from, to) = (a.each_as(plain), b.each_as(plain));
-    let found: Touching<P<S>> = match features.pair {
+/// Returns the points of two features, by their corners.
+fn touching<P: Scalar<Primal = P>>(
+    pair: FeaturePair,
+    from: Corners<P>,
+    to: Corners<P>,
+) -> Touching<P> {
+    match pair {
         FeaturePair::Corners => {
             let way = to[0] - from[0];
             Touching {
@@ -178,7 +175,18 @@ fn related<S: Scalar>(
         FeaturePair::FaceCorner => face_and_corner(from, to[0]),
         FeaturePair::CornerFace => face_and_corner(to, from[0]).flipped(),
         FeaturePair::Edges => two_edges(from, to),
-    };
+    }
+}
+
+/// Returns the relation of two features.
+fn related<S: Scalar>(
+    features: &HullFeatures,
+    a: Corners<S>,
+    b: Corners<S>,
+    inside: bool,
+) -> Relation<S> {
+    type P<S> = <S as Scalar>::Primal;
+    let found: Touching<P<S>> = touching(features.pair, a.each_as(plain), b.each_as(plain));
     let zero = P::<S>::zero();
     let none = zero.below(zero);
     let by_plane = match features.pair {
@@ -215,6 +223,67 @@ fn placed<S: Scalar>(all: &impl CornerList<S>, names: [u8; 3], scale: S) -> Corn
     names.each_as(|name| all.at(usize::from(name).min(count - 1)) * scale)
 }
 
+/// Returns the units of features: a power of two in which the largest of them has a size of about one.
+fn scale_of_features<S: Scalar>(
+    a: &impl CornerList<S>,
+    b: &impl CornerList<S>,
+    record: &HullRecord,
+) -> S {
+    let all = record.features();
+    let one = S::one();
+    let from = placed(a, all[0].a, one)[0];
+    let mut size = S::Primal::zero();
+    for features in all {
+        for corner in placed(a, features.a, one)
+            .into_iter()
+            .chain(placed(b, features.b, one))
+        {
+            let arm = corner - from;
+            let own = largest([arm.x, arm.y, arm.z]);
+            size = S::Primal::select(size.below(own), own, size);
+        }
+    }
+    scale_of::<S>(size)
+}
+
+/// The share of a feature's corners in a signed distance.
+pub(super) struct FeatureShares<P: Scalar> {
+    /// The direction from a to b.
+    pub normal: Vec3<P>,
+    /// The corners of a, by their numbers, and their shares.
+    pub of_a: [(usize, P); 3],
+    /// The corners of b and their shares.
+    pub of_b: [(usize, P); 3],
+}
+
+/// Returns the direction of every feature of a record, and the shares of its corners in the points that touch.
+pub(super) fn shares<P: Scalar<Primal = P>>(
+    a: &impl CornerList<P>,
+    b: &impl CornerList<P>,
+    record: &HullRecord,
+) -> Vec<FeatureShares<P>> {
+    let scale = scale_of_features(a, b, record);
+    let one = |features: &HullFeatures| {
+        let found = touching(
+            features.pair,
+            placed(a, features.a, scale),
+            placed(b, features.b, scale),
+        );
+        let shares = |names: [u8; 3], count: usize, Spot { parts, .. }: Spot<P>| {
+            // The first corner has what the others leave.
+            let shares = [P::one() - parts[1] - parts[2], parts[1], parts[2]];
+            let named = |k: usize| usize::from(names[k]).min(count - 1);
+            [0, 1, 2].each_as(|k| (named(k), shares[k]))
+        };
+        FeatureShares {
+            normal: found.normal,
+            of_a: shares(features.a, a.count(), found.at_a),
+            of_b: shares(features.b, b.count(), found.at_b),
+        }
+    };
+    record.features().iter().map(one).collect()
+}
+
 /// Returns the mean of directions with length one: in a gap that is mostly rounding they differ. Any mean of directions
 /// that separate hulls does so, too. Of opposite ones the first counts.
 fn lengthened<S: Scalar>(mean: Vec3<S>, first: Vec3<S>) -> Vec3<S> {
@@ -235,20 +304,7 @@ pub(super) fn replay<S: Scalar>(
     record: &HullRecord,
 ) -> Relation<S> {
     let all = record.features();
-    let one = S::one();
-    let from = placed(a, all[0].a, one)[0];
-    let mut size = S::Primal::zero();
-    for features in all {
-        for corner in placed(a, features.a, one)
-            .into_iter()
-            .chain(placed(b, features.b, one))
-        {
-            let arm = corner - from;
-            let own = largest([arm.x, arm.y, arm.z]);
-            size = S::Primal::select(size.below(own), own, size);
-        }
-    }
-    let scale = scale_of::<S>(size);
+    let scale = scale_of_features(a, b, record);
     let mut mean: Option<Relation<S>> = None;
     let planes = 1 + all.iter().map(|features| features.plane).max().unwrap_or(0);
     for features in all {

@@ -25,6 +25,7 @@
 //!
 //! The search decides in `f64`, also for `f32`. Numbers over other formats have the features of the first vertices.
 mod body;
+mod corner_slopes;
 mod expansion;
 mod facing_ring;
 mod highest_point;
@@ -39,15 +40,16 @@ use super::apart::Apart;
 use super::aside;
 use super::core::Core3;
 use super::cored::InflatedCore;
-use super::facing::{Patch, SIDES};
+use super::facing::{Patch, PatchName, SIDES};
 use super::half_space::Bounded;
 use super::near::Low;
 use super::relation::Relation;
 use super::spot::{plain, vanish};
 use crate::distance::share::Best;
-use crate::scalar::Guard;
+use crate::scalar::{Guard, noted};
 use crate::{Hull3, Pack, Scalar, Vec3};
 pub(super) use body::{Body as HullBody, Face as HullFace};
+pub(crate) use corner_slopes::{by_shape, by_vertices, corner_slopes};
 use facing_ring::facing;
 pub(super) use highest_point::PointColumns;
 pub(super) use hull_record::around;
@@ -215,27 +217,13 @@ where
         (Some(a), Some(b)) => hull_search::search(a, b, S::format().epsilon()),
         _ => HullRecord::new(&[], false),
     };
-    noted::<S::Primal>(&record);
-    record
-}
-
-/// Compares constants by the record, so that traces of comparisons differ where records do. For plain numbers this is
-/// nothing.
-#[inline(always)]
-fn noted<P: Scalar>(record: &HullRecord) {
-    let bit = |one: bool| {
-        let side = P::lit(if one { 1.0 } else { -1.0 });
-        let _ = side.below(-side);
-    };
-    bit(record.inside);
+    noted::<S::Primal>(1, [record.inside.into()]);
     for features in record.features() {
         let HullFeatures { pair, a, b, plane } = *features;
-        let [i, j, k] = a;
-        let [l, m, n] = b;
-        for byte in [pair as u8, i, j, k, l, m, n, plane] {
-            (0..8).for_each(|k| bit(byte >> k & 1 == 1));
-        }
+        let ([i, j, k], [l, m, n]) = (a, b);
+        noted::<S::Primal>(8, [pair as u8, i, j, k, l, m, n, plane].map(u32::from));
     }
+    record
 }
 
 /// Returns the relation of two shapes from the record of [`hulls_search`]. Ties share the derivative equally.
@@ -319,8 +307,11 @@ macro_rules! apart {
                 hulls_replay(&self, &other, &hulls_search(&self, &other))
             }
             #[inline]
-            fn facing(&self, other: &$B, normal: Vec3<S>) -> [Patch<S>; 2] {
+            fn facing(&self, other: &$B, normal: Vec3<S>) -> [PatchName; 2] {
                 [self.face(normal), other.face(-normal)]
+            }
+            fn patches(&self, other: &$B, [a, b]: [PatchName; 2], normal: Vec3<S>) -> [Patch<S>; 2] {
+                [self.patch(a, normal), other.patch(b, -normal)]
             }
             #[inline]
             fn farthest(self, other: $B) -> S {
@@ -351,7 +342,7 @@ impl<S: Scalar, const N: usize> Bounded for Hull3<S, N> {
         let Low(height, arm) = Best::least(arms).mean();
         (normal.dot(from) + height, from + arm)
     }
-    fn face(self, toward: Vec3<S>) -> Patch<S>
+    fn face(self, toward: Vec3<S>) -> PatchName
     where
         S: Scalar<Mask = bool>,
     {
@@ -362,11 +353,14 @@ impl<S: Scalar, const N: usize> Bounded for Hull3<S, N> {
             .map(|(points, toward)| facing(&points, toward, S::format().epsilon()));
         let ring = ring.unwrap_or_default();
         match ring.len() {
-            0 => Patch::Spot,
+            0 => PatchName::Spot,
             n => {
                 let count = n.min(SIDES);
-                Patch::polygon((0..count).map(|k| self.vertices[ring[k * n / count]]))
+                PatchName::corners((0..count).map(|k| ring[k * n / count]))
             }
         }
+    }
+    fn patch(self, name: PatchName, _: Vec3<S>) -> Patch<S> {
+        Patch::named(name, |k| self.vertices[k])
     }
 }

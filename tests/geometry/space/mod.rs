@@ -1,6 +1,8 @@
 //! Shapes of space: measures, distances, rays.
+mod body_rows;
 mod borders;
 mod certificates;
+mod clearance_slopes;
 mod contacts;
 mod curved;
 mod curved_draw;
