@@ -113,6 +113,7 @@ mod arrays;
 pub mod assignment;
 pub mod boolean;
 pub mod camera;
+pub mod cells;
 pub mod clip;
 pub mod clipping;
 pub mod contain;

@@ -1,6 +1,7 @@
 //! Adjoints by hand, for functions on hot paths. Other functions get their derivatives from duals or recorded programs.
 pub mod boolean;
 pub mod bounds3;
+pub mod cells;
 pub mod clip;
 pub mod clipping;
 pub mod distance;

@@ -144,6 +144,35 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
         let both = self.boxes.last().zip(other.boxes.last());
         both.is_some_and(|(&a, &b)| squared_gap(a, b) <= 0.0)
     }
+    /// Returns `true` if the box around an edge meets another box, borders included.
+    pub(crate) fn may_touch(&self, other: [[f64; 2]; 2]) -> bool {
+        let meets =
+            |own: Ends| (0..2).all(|k| own[k][0] <= other[k][1] && other[k][0] <= own[k][1]);
+        let mut left = vec![Node {
+            level: self.levels.len() - 1,
+            place: 0,
+        }];
+        if self.edges.is_empty() {
+            return false;
+        }
+        while let Some(node) = left.pop() {
+            if !meets(self.at(node)) {
+                continue;
+            }
+            if node.level > 0 {
+                left.extend(self.children(node));
+                continue;
+            }
+            let own = node.place * FEW..self.edges.len().min((node.place + 1) * FEW);
+            if self.edges[own]
+                .iter()
+                .any(|edge| meets(around(std::slice::from_ref(edge))))
+            {
+                return true;
+            }
+        }
+        false
+    }
     fn at(&self, node: Node) -> Ends {
         self.boxes[self.levels[node.level] + node.place]
     }

@@ -3,6 +3,8 @@ mod adjoints;
 #[cfg(feature = "boolean")]
 mod boolean;
 mod cases;
+mod cell_oracle;
+mod cells;
 #[cfg(feature = "boolean")]
 mod cut;
 pub mod exact;
