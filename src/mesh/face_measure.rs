@@ -63,21 +63,23 @@ fn is_lower(a: Vec3<f64>, b: Vec3<f64>) -> bool {
 #[inline]
 pub fn nearest_feature(point: Vec3<f64>, triangle: [Vec3<f64>; 3]) -> (f64, FaceFeature) {
     let corners = triangle.map(|corner| corner - point);
-    let [a, b, c] = corners;
+    // Of the triangle and not of the offsets, which lose the digits of edges far away: replays have the edges in full.
+    let [a, b, c] = triangle;
     let edges = [b - a, c - b, a - c];
     let n = normal(triangle);
     // Twice the areas of the triangles of the projected point and each edge, times the normal's length.
     let sides = [0, 1, 2].map(|k| edges[k].cross(corners[k]).dot(n));
     let square = n.length_squared();
     if square > 0.0 && sides.iter().all(|&side| side < 0.0) {
-        let height = n.dot(a);
+        let height = n.dot(corners[0]);
         return (height * height / square, FaceFeature::Interior);
     }
     let mut best = (f64::INFINITY, FaceFeature::Vertex { corner: 0 });
     for (i, j) in [(0_u8, 1_u8), (1, 2), (2, 0)] {
         let [p, q] = [i, j].map(|k| triangle[usize::from(k)]);
         let (from, to) = if is_lower(q, p) { (j, i) } else { (i, j) };
-        let found = nearest_of_edge(corners, from, to);
+        let [start, end] = [from, to].map(|k| triangle[usize::from(k)]);
+        let found = nearest_of_edge(corners, end - start, from, to);
         if found.0 < best.0 {
             best = found;
         }
@@ -87,9 +89,13 @@ pub fn nearest_feature(point: Vec3<f64>, triangle: [Vec3<f64>; 3]) -> (f64, Face
 
 /// Returns the squared distance of the origin from an edge, and the nearest feature.
 #[inline]
-fn nearest_of_edge(corners: [Vec3<f64>; 3], from: u8, to: u8) -> (f64, FaceFeature) {
+fn nearest_of_edge(
+    corners: [Vec3<f64>; 3],
+    edge: Vec3<f64>,
+    from: u8,
+    to: u8,
+) -> (f64, FaceFeature) {
     let [start, end] = [from, to].map(|k| corners[usize::from(k)]);
-    let edge = end - start;
     let along = -start.dot(edge);
     if along <= 0.0 {
         return (start.length_squared(), FaceFeature::Vertex { corner: from });

@@ -29,8 +29,7 @@ pub struct Packet {
     pub corners: [[EightNumbers; 3]; 3],
 }
 
-/// A vector of single precision that reads a part of eight numbers. The module of batches compiles searches for the
-/// vectors of a processor; this one has plain arrays.
+/// A vector of single precision that reads a part of eight numbers.
 pub trait EightLanes: Scalar<Primal = Self> {
     /// The number of parts that make eight numbers.
     const PARTS: usize;
