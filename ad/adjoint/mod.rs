@@ -4,6 +4,7 @@ pub mod bounds3;
 pub mod clip;
 pub mod clipping;
 pub mod distance;
+pub mod face_replay;
 pub mod iou;
 pub(crate) mod iou3;
 pub mod offset;

@@ -39,6 +39,9 @@
 //! [`first_hit_triangle`](crate::intersection3::first_hit_triangle). Its derivatives by the corners belong to the
 //! vertices of the face.
 //!
+//! Batches of queries run on vectors and threads, with adjoints by hand for queries and vertices:
+//! [`mesh_batches`](crate::kernels::cpu::mesh_batches).
+//!
 //! # Decisions
 //!
 //! The tree has single precision and finds candidates: every face that its rounding cannot exclude. Double precision
@@ -68,6 +71,12 @@ mod mesh_tree;
 mod packet;
 mod ray_search;
 mod tree_split;
+
+pub(crate) use face_measure::normal;
+pub(crate) use face_search::{SearchRoom, nearest};
+pub(crate) use mesh_column::plain;
+pub(crate) use packet::{EightLanes, EightNumbers};
+pub(crate) use ray_search::{first, plain_ray};
 
 pub use closed_mesh::ClosedMesh;
 pub use face_measure::{FaceFeature, FaceRecord};
