@@ -75,7 +75,7 @@ mod tree_split;
 pub(crate) use face_measure::normal;
 pub(crate) use face_search::{SearchRoom, nearest};
 pub(crate) use mesh_column::plain;
-pub(crate) use packet::{EightLanes, EightNumbers};
+pub(crate) use packet::EightLanes;
 pub(crate) use ray_search::{first, plain_ray};
 
 pub use closed_mesh::ClosedMesh;

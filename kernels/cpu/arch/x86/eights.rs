@@ -2,7 +2,7 @@
 use super::{F32x4, F32x8, F32x16, F64x2, F64x4, F64x8, Vector};
 use crate::Scalar;
 use crate::kernels::cpu::arch::Eights;
-use crate::mesh::{EightLanes, EightNumbers};
+use crate::mesh::EightLanes;
 
 macro_rules! eights {
     ($($name:ident of $n:literal: $($beside:ident)*;)*) => { $(
@@ -10,12 +10,12 @@ macro_rules! eights {
             const PARTS: usize = 8 / $n;
             #[allow(clippy::modulo_one)] // one vector may be all eight
             #[inline(always)]
-            fn part(of: &EightNumbers, part: usize) -> Self {
+            fn part(of: &[f32; 8], part: usize) -> Self {
                 Self::from_array(of.as_chunks().0[part % (8 / $n)])
             }
             #[allow(clippy::modulo_one)]
             #[inline(always)]
-            fn put(self, to: &mut EightNumbers, part: usize) {
+            fn put(self, to: &mut [f32; 8], part: usize) {
                 to.as_chunks_mut().0[part % (8 / $n)] = self.array();
             }
             #[inline(always)]
