@@ -122,6 +122,32 @@ class Clouds(Paths):
     @classmethod
     def of(cls, clouds: Iterable[Any]) -> Clouds: ...
 
+class Mesh:
+    """A mesh of triangles, with a tree that is built once and serves all calls."""
+    def __init__(self, vertices: Any, faces: Optional[ArrayLike] = ...) -> None: ...
+    @property
+    def vertices(self) -> Array:
+        """The vertices, of shape (V, 3)."""
+    @property
+    def faces(self) -> Array:
+        """The faces, of shape (F, 3)."""
+    def __len__(self) -> int: ...
+    def moved(self, vertices: ArrayLike) -> Mesh:
+        """The mesh with its vertices at other places. The tree follows them in a fraction of the time of a new one."""
+    def distance(self, points: ArrayLike) -> Array:
+        """The distance of each point, at least 0."""
+    def squared_distance(self, points: ArrayLike) -> Array:
+        """The squared distance of each point."""
+    def signed_distance(self, points: ArrayLike) -> Array:
+        """The distance of each point, negative inside. The mesh must be closed: each edge has two faces, in opposite directions."""
+    def closest(self, points: ArrayLike) -> tuple[Array, Array]:
+        """The nearest point of the mesh for each point, and the index of its face."""
+    def rays(self, starts: ArrayLike, directions: ArrayLike) -> tuple[Array, Array]:
+        """Where each ray meets the mesh first: the parameter, by which its direction is multiplied, and the index of the face.
+
+        A ray that misses has the parameter inf and the face -1.
+        """
+
 class Polygons:
     """A column of polygons, each of parts with holes."""
     def __init__(self, vertices: ArrayLike, offsets: Sequence[ArrayLike]) -> None: ...

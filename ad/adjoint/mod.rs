@@ -5,6 +5,7 @@ pub mod cells;
 pub mod clip;
 pub mod clipping;
 pub mod distance;
+pub mod face_replay;
 pub mod iou;
 pub(crate) mod iou3;
 pub mod offset;

@@ -38,6 +38,9 @@
 //! the results of an item with all others from below; long lists are sorted along a curve. Others of the least bounds
 //! are computed first, and then those whose bound is not above the least result.
 //!
+//! *Meshes.* `mesh_searches` finds the nearest faces of points and the first ones of rays by
+//! trees of eight; `mesh_batches` replays them, with derivatives for points, rays and vertices.
+//!
 //! *Same bits.* The cut into pieces does not depend on the number of threads, and sums are added in a fixed order. So
 //! bits never depend on level, position, threads or filter.
 //!
@@ -62,6 +65,9 @@ mod lower_bounds;
 mod maker;
 pub(crate) mod matches;
 pub(crate) mod matrix;
+pub mod mesh_batches;
+mod mesh_orders;
+mod mesh_searches;
 pub(crate) mod nearest;
 mod overlaps;
 pub(crate) mod pairs;

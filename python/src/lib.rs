@@ -11,6 +11,7 @@ mod forms;
 mod grouped;
 mod hulls;
 mod machine;
+mod meshes;
 mod metric;
 mod nearest;
 mod number;
@@ -57,6 +58,7 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<shapes::Columns>()?;
     m.add_class::<shapes::Paths>()?;
     m.add_class::<polygons::Polygons>()?;
+    m.add_class::<meshes::MeshCore>()?;
     m.add_class::<overlay::Overlay>()?;
     m.add_class::<buffered::Buffer>()?;
     m.add_class::<symbol::Symbol>()?;

@@ -21,7 +21,8 @@ impl ClosedMesh {
     /// # Errors
     ///
     /// [`MeshFault::Open`] and [`MeshFault::Crowded`] with the first face and edge at fault, by their order. Repeated
-    /// vertices are different ones: a mesh that is closed by places alone is open.
+    /// vertices are different ones: a mesh that is closed by places alone is open. A face with one vertex twice is
+    /// crowded.
     pub fn new<S: Copy>(mesh: &Mesh<'_, S>) -> Result<Self, MeshFault> {
         let count = mesh.vertices().len();
         let mut ends = vec![0_u32; count + 1];
@@ -54,8 +55,8 @@ impl ClosedMesh {
                         [[a, b], [b, c], [c, a]].contains(&[from, to])
                     })
                 };
-                let first = passes(edge).next();
-                if passes(edge).count() > 1 && first != Some(&(face as u32)) {
+                if let Some(&second) = passes(edge).nth(1) {
+                    let face = second as usize;
                     return Err(MeshFault::Crowded { face, edge });
                 }
                 if passes([edge[1], edge[0]]).next().is_none() {

@@ -1,7 +1,7 @@
 //! Replays along the record of a nearest feature: straight lines.
-use super::face_measure::FaceFeature;
+use super::face_measure::{FaceFeature, THIN};
 use crate::twofold::{cross, deep, way};
-use crate::{Scalar, Triangle3, Vec3};
+use crate::{Mask, Scalar, Triangle3, Vec3};
 
 /// The closest point in terms of the corners' offsets from the query.
 struct Foot<S> {
@@ -11,18 +11,34 @@ struct Foot<S> {
     point: Vec3<S>,
 }
 
-/// Returns the normal of twice the area; its value has twice the digits, so that thin triangles keep their normal.
+/// Returns the normal of twice the area; its value has twice the digits where a triangle is thin, so that it keeps its
+/// normal.
 #[inline(always)]
 fn sharp_normal<S: Scalar>(triangle: Triangle3<S>) -> Vec3<S> {
     let plain = triangle.twice_area_normal();
+    let (a, b, c) = (primal(triangle.a), primal(triangle.b), primal(triangle.c));
+    let x = (b - a).length_squared();
+    let y = (c - a).length_squared();
+    let z = (c - b).length_squared();
+    let value = primal(plain);
+    let thin =
+        (value.length_squared() * x.least(y).least(z)).at_most(S::Primal::lit(THIN) * (x * y * z));
+    if !thin.any() {
+        return plain;
+    }
     let [a, b, c] = [deep(triangle.a), deep(triangle.b), deep(triangle.c)];
     let one = S::Primal::one();
     let [x, y, z] = cross(way(a, b, one), way(a, c, one));
     Vec3::new(
-        plain.x.with_primal(x),
-        plain.y.with_primal(y),
-        plain.z.with_primal(z),
+        plain.x.with_primal(S::Primal::select(thin, x, value.x)),
+        plain.y.with_primal(S::Primal::select(thin, y, value.y)),
+        plain.z.with_primal(S::Primal::select(thin, z, value.z)),
     )
+}
+
+#[inline(always)]
+fn primal<S: Scalar>(v: Vec3<S>) -> Vec3<S::Primal> {
+    Vec3::new(v.x.primal(), v.y.primal(), v.z.primal())
 }
 
 /// Returns a divisor that is not zero.

@@ -20,10 +20,73 @@ const MANY: usize = 64;
 /// Buffers of a search.
 #[derive(Debug, Default)]
 pub struct SearchRoom {
-    /// Nodes and packets yet to visit, with the squared distances of their bounds.
-    pub(super) stack: Vec<(f32, u32)>,
+    /// Nodes and packets yet to visit.
+    pub(super) stack: SearchStack,
     /// Faces that may be nearest, with their squared distances.
     pub(super) candidates: Vec<(f32, u32)>,
+}
+
+/// Nodes and packets yet to visit, each with the key of its bounds, in one number: numbers that are not negative sort
+/// like their bits.
+#[derive(Debug, Default)]
+pub(super) struct SearchStack {
+    items: Vec<u64>,
+    top: usize,
+}
+
+impl SearchStack {
+    /// Leaves the root alone.
+    #[inline(always)]
+    pub(super) fn start(&mut self) {
+        self.top = 0;
+        self.room()[0] = 0;
+        self.top = 1;
+    }
+    /// Returns the last item: a key and a child.
+    #[inline(always)]
+    pub(super) fn pop(&mut self) -> Option<(f32, u32)> {
+        self.top = self.top.checked_sub(1)?;
+        let item = self.items[self.top];
+        Some((f32::from_bits((item >> 32) as u32), item as u32))
+    }
+    /// Returns room for eight items.
+    #[inline(always)]
+    fn room(&mut self) -> &mut [u64; 8] {
+        if self.items.len() < self.top + 8 {
+            self.grow();
+        }
+        let room = self.items[self.top..].first_chunk_mut();
+        room.expect("the stack has grown")
+    }
+    #[cold]
+    #[inline(never)]
+    fn grow(&mut self) {
+        self.items.resize(2 * self.top + 64, 0);
+    }
+    /// Pushes some children of a node, the nearest one last.
+    #[inline(always)]
+    pub(super) fn push_nearest_last(&mut self, node: &TreeNode, near: u32, keys: &[f32; 8]) {
+        let room = self.room();
+        let (mut near, mut count) = (near & 0xff, 0);
+        while near != 0 {
+            let lane = near.trailing_zeros() as usize & 7;
+            near &= near - 1;
+            let child = node.children[lane];
+            if child == NO_CHILD {
+                continue;
+            }
+            // Without the sign of zero.
+            let item = u64::from((keys[lane] + 0.0).to_bits()) << 32 | u64::from(child);
+            let mut at = count & 7;
+            while at > 0 && room[at - 1] < item {
+                room[at] = room[at - 1];
+                at -= 1;
+            }
+            room[at] = item;
+            count += 1;
+        }
+        self.top += count;
+    }
 }
 
 /// The least squared distance so far, and the limit up to which faces are candidates.
@@ -100,7 +163,7 @@ fn triangle_squares<L: EightLanes>(packet: &Packet, point: Vec3<L>, part: usize)
 /// Collects the candidates for the nearest face to a point of the tree's frame, of squared distances up to a limit; the
 /// limit is returned.
 ///
-/// `start` is a squared distance that some face has, or infinity.
+/// `start` is the squared distance of a point of the mesh, or infinity.
 #[inline(always)]
 pub(crate) fn collect<L: EightLanes>(
     tree: &MeshTree,
@@ -116,9 +179,8 @@ pub(crate) fn collect<L: EightLanes>(
     };
     limit.lower(start);
     let point = Vec3::new(L::all(x), L::all(y), L::all(z));
-    room.stack.clear();
+    room.stack.start();
     room.candidates.clear();
-    room.stack.push((0.0, 0));
     let mut squares = [0.0; 8];
     while let Some((square, child)) = room.stack.pop() {
         if square > limit.limit {
@@ -135,10 +197,10 @@ pub(crate) fn collect<L: EightLanes>(
             while near != 0 {
                 let lane = near.trailing_zeros() as usize;
                 near &= near - 1;
-                let found = squares[lane];
+                let found = squares[lane & 7];
                 if found <= limit.limit {
                     limit.lower(found);
-                    room.candidates.push((found, faces[lane]));
+                    room.candidates.push((found, faces[lane & 7]));
                 }
             }
             if room.candidates.len() > MANY {
@@ -154,63 +216,19 @@ pub(crate) fn collect<L: EightLanes>(
             near |= L::truths(found.at_most(L::all(limit.limit))) << (part * (8 / L::PARTS));
             found.put(&mut squares, part);
         }
-        push_nearest_last(node, near, &squares, &mut room.stack);
+        room.stack.push_nearest_last(node, near, &squares);
     }
     limit.limit
 }
 
-/// Pushes some children of a node, the nearest one last.
-#[inline(always)]
-pub(super) fn push_nearest_last(
-    node: &TreeNode,
-    mut near: u32,
-    keys: &[f32; 8],
-    stack: &mut Vec<(f32, u32)>,
-) {
-    let start = stack.len();
-    while near != 0 {
-        let lane = near.trailing_zeros() as usize;
-        near &= near - 1;
-        if node.children[lane] == NO_CHILD {
-            continue;
-        }
-        let item = (keys[lane], node.children[lane]);
-        let mut at = stack.len();
-        stack.push(item);
-        while at > start && stack[at - 1].0 < item.0 {
-            stack[at] = stack[at - 1];
-            at -= 1;
-        }
-        stack[at] = item;
-    }
-}
-
-/// Returns the nearest of some faces, and its squared distance: at equal distances the one of lowest index.
-pub(crate) fn decide<S: Scalar<Mask = bool>>(
-    mesh: &Mesh<'_, S>,
-    point: Vec3<f64>,
-    faces: impl Iterator<Item = u32>,
-) -> Option<(f64, FaceRecord)> {
-    let mut best: Option<(f64, FaceRecord)> = None;
-    for face in faces {
-        let (square, feature) = nearest_feature(point, mesh.plain_triangle(face));
-        let is_better = best
-            .is_none_or(|(least, record)| square < least || square == least && face < record.face);
-        if is_better {
-            best = Some((square, FaceRecord { face, feature }));
-        }
-    }
-    best
-}
-
 /// Returns the face and the feature that are nearest to a point, among equal ones that of lowest index; `None` for a
-/// point that is not finite. `known` is a face that may be near, such as that of a neighbouring query.
+/// point that is not finite. `known` is a point of the mesh that may be near, such as that of a neighbouring query.
 #[inline(always)]
 pub(crate) fn nearest<L: EightLanes, S: Scalar<Mask = bool>>(
     mesh: &Mesh<'_, S>,
     tree: &MeshTree,
     point: Vec3<f64>,
-    known: Option<u32>,
+    known: Option<Vec3<f64>>,
     room: &mut SearchRoom,
 ) -> Option<FaceRecord> {
     if !point.is_finite() {
@@ -218,17 +236,36 @@ pub(crate) fn nearest<L: EightLanes, S: Scalar<Mask = bool>>(
     }
     let local = tree.frame().local(point);
     let size = local.x.abs().max(local.y.abs()).max(local.z.abs());
+    let mut limit = f32::INFINITY;
     if size > FAR {
+        room.candidates.clear();
         let faces = 0..mesh.faces().len() as u32;
-        return decide(mesh, point, faces).map(|found| found.1);
+        room.candidates.extend(faces.map(|face| (0.0, face)));
+    } else {
+        let mut start = f32::INFINITY;
+        if let Some(known) = known {
+            // The error of `known` itself, far from the origin; the margin of the limit has that of sizes.
+            let reach = known.x.abs() + known.y.abs() + known.z.abs();
+            let length = (known - point).length() + 16.0 * f64::EPSILON * reach;
+            let local = length * tree.frame().scale;
+            start = (local * local) as f32;
+        }
+        let place = [local.x as f32, local.y as f32, local.z as f32];
+        limit = collect::<L>(tree, place, start, room);
     }
-    let start = known.map_or(f32::INFINITY, |face| {
-        let (square, _) = nearest_feature(point, mesh.plain_triangle(face));
-        let scale = tree.frame().scale;
-        (square * scale * scale) as f32
-    });
-    let place = [local.x as f32, local.y as f32, local.z as f32];
-    let limit = collect::<L>(tree, place, start, room);
-    let near = room.candidates.iter().filter(|found| found.0 <= limit);
-    decide(mesh, point, near.map(|found| found.1)).map(|found| found.1)
+    let mut best: Option<(f64, FaceRecord)> = None;
+    for &(rough, face) in &room.candidates {
+        if rough > limit {
+            continue;
+        }
+        let (square, feature) = nearest_feature(point, mesh.plain_triangle(face));
+        let is_better = match best {
+            Some((least, record)) => square < least || square == least && face < record.face,
+            None => true,
+        };
+        if is_better {
+            best = Some((square, FaceRecord { face, feature }));
+        }
+    }
+    Some(best?.1)
 }

@@ -79,16 +79,25 @@ impl<'a, S: Copy> Mesh<'a, S> {
 
 impl<S: Scalar<Mask = bool>> Mesh<'_, S> {
     /// Returns the corners of a face as plain numbers, exactly.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn plain_triangle(&self, face: u32) -> [Vec3<f64>; 3] {
-        self.faces[face as usize].map(|i| plain(self.vertices[i as usize]))
+        let [a, b, c] = self.faces[face as usize];
+        [
+            plain(self.vertices[a as usize]),
+            plain(self.vertices[b as usize]),
+            plain(self.vertices[c as usize]),
+        ]
     }
 }
 
 /// Returns a vector as plain numbers, exactly; NaN for formats other than `f32`, `f64` and numbers with derivatives
 /// over these.
-#[inline]
+#[inline(always)]
 pub(crate) fn plain<S: Scalar<Mask = bool>>(v: Vec3<S>) -> Vec3<f64> {
-    let wide = |x: S| x.widened().unwrap_or(f64::NAN);
     Vec3::new(wide(v.x), wide(v.y), wide(v.z))
+}
+
+#[inline(always)]
+fn wide<S: Scalar<Mask = bool>>(x: S) -> f64 {
+    x.widened().unwrap_or(f64::NAN)
 }

@@ -12,7 +12,7 @@ use crate::intersection3::{Hit3, first_hit_triangle};
 use crate::{Lanes, Ray3, Scalar, Vec3};
 
 /// The vectors of single queries.
-type Plain = Lanes<f32, 8>;
+type Plain = Lanes<f32, 4>;
 
 /// A mesh with its tree, which answers queries. [`MeshTree::on`] makes it.
 ///
@@ -69,10 +69,7 @@ impl<S: Scalar<Mask = bool>> MeshSurface<'_, S> {
     pub fn nearest_face(&self, point: Vec3<S>) -> FaceRecord {
         let mut room = SearchRoom::default();
         let found = nearest::<Plain, S>(&self.mesh, self.tree, plain(point), None, &mut room);
-        found.unwrap_or(FaceRecord {
-            face: 0,
-            feature: FaceFeature::Interior,
-        })
+        found.unwrap_or(FaceRecord::NONE)
     }
     /// Returns the point of the mesh that is nearest to a point. Kinks: the medial axis, where it jumps; there it is that
     /// of the lowest face.
@@ -100,18 +97,35 @@ impl<S: Scalar<Mask = bool>> MeshSurface<'_, S> {
     /// Where a mesh crosses itself, inside is where the nearest face faces away from.
     #[must_use]
     pub fn signed_distance(&self, closed: &ClosedMesh, point: Vec3<S>) -> S {
-        let record = self.nearest_face(point);
+        self.signed_replay(closed, point, self.nearest_face(point))
+    }
+    /// Returns the distance of a point from a closed mesh along the record of its nearest face, negative inside.
+    pub(crate) fn signed_replay(
+        &self,
+        closed: &ClosedMesh,
+        point: Vec3<S>,
+        record: FaceRecord,
+    ) -> S {
         let triangle = self.mesh.triangle(record.face);
         let distance = distance_replay(point, triangle, record.feature);
         if record.feature == FaceFeature::Interior || distance.equals(S::zero()) {
             return height_replay(point, triangle).canonical();
         }
-        let at = plain(closest_replay(point, triangle, record.feature));
-        let outward = closed.outward(&self.mesh, record);
-        match outward.dot(plain(point) - at) < 0.0 {
+        match self.is_inside(closed, point, record) {
             true => -distance,
             false => distance,
         }
+    }
+    /// Returns `true` if a point is inside a closed mesh, by the pseudo-normal of its nearest feature.
+    pub(crate) fn is_inside(
+        &self,
+        closed: &ClosedMesh,
+        point: Vec3<S>,
+        record: FaceRecord,
+    ) -> bool {
+        let triangle = self.mesh.triangle(record.face);
+        let at = plain(closest_replay(point, triangle, record.feature));
+        closed.outward(&self.mesh, record).dot(plain(point) - at) < 0.0
     }
     /// Returns the face that a ray meets first, among equal ones that of lowest index; `None` for a miss.
     ///

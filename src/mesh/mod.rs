@@ -1,5 +1,5 @@
-//! Meshes of triangles: closest points, signed distances, rays, winding numbers and measures, with derivatives by the
-//! query and by the vertices.
+//! Meshes of triangles: closest points, signed distances, rays and parity, with derivatives by the query and by the
+//! vertices.
 //!
 //! A [`Mesh`] borrows a column of vertices and one of faces; a [`MeshTree`] over it is built once and keeps no
 //! reference. Both together are a [`MeshSurface`], which answers queries.
@@ -37,8 +37,10 @@
 //! for closest points, its feature ([`FaceFeature`]). The replay is a straight line over the query and the three corners
 //! of that face, so it runs on floats, duals, lanes and symbols: [`closest_replay`], [`distance_replay`],
 //! [`first_hit_triangle`](crate::intersection3::first_hit_triangle). Its derivatives by the corners belong to the
-//! vertices of the face. Batches scatter them in the order of the queries, so that sums have the same bits on any
-//! number of threads.
+//! vertices of the face.
+//!
+//! Batches of queries run on vectors and threads, with adjoints by hand for queries and vertices:
+//! [`mesh_batches`](crate::kernels::cpu::mesh_batches).
 //!
 //! # Decisions
 //!
@@ -53,7 +55,7 @@
 //! [`Mesh::new`] refuses indices out of range, vertices that are not finite and meshes without faces; a
 //! [`MeshFault`] names the face and the vertex. Faces without area are segments or points for distances, and rays miss
 //! them. Repeated faces and vertices are valid. Points farther from a mesh than some thousand times its size compare
-//! most of its faces, one by one.
+//! most of its faces, one by one. Rays that start farther than 10²⁰ times its size may miss it.
 //!
 //! Values and derivatives are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in
 //! `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
@@ -69,6 +71,12 @@ mod mesh_tree;
 mod packet;
 mod ray_search;
 mod tree_split;
+
+pub(crate) use face_measure::normal;
+pub(crate) use face_search::{SearchRoom, nearest};
+pub(crate) use mesh_column::plain;
+pub(crate) use packet::EightLanes;
+pub(crate) use ray_search::{first, plain_ray};
 
 pub use closed_mesh::ClosedMesh;
 pub use face_measure::{FaceFeature, FaceRecord};

@@ -29,8 +29,7 @@ pub struct Packet {
     pub corners: [[EightNumbers; 3]; 3],
 }
 
-/// A vector of single precision that reads a part of eight numbers. The module of batches compiles searches for the
-/// vectors of a processor; this one has plain arrays.
+/// A vector of single precision that reads a part of eight numbers.
 pub trait EightLanes: Scalar<Primal = Self> {
     /// The number of parts that make eight numbers.
     const PARTS: usize;
@@ -44,19 +43,20 @@ pub trait EightLanes: Scalar<Primal = Self> {
     fn truths(mask: Self::Mask) -> u32;
 }
 
-impl EightLanes for Lanes<f32, 8> {
-    const PARTS: usize = 1;
+/// Four at once: the compiler makes vectors of them on every processor, and of eight only on some.
+impl EightLanes for Lanes<f32, 4> {
+    const PARTS: usize = 2;
     #[inline(always)]
-    fn part(of: &EightNumbers, _: usize) -> Self {
-        Lanes(*of)
+    fn part(of: &EightNumbers, part: usize) -> Self {
+        Lanes(of.as_chunks().0[part % 2])
     }
     #[inline(always)]
-    fn put(self, to: &mut EightNumbers, _: usize) {
-        *to = self.0;
+    fn put(self, to: &mut EightNumbers, part: usize) {
+        to.as_chunks_mut().0[part % 2] = self.0;
     }
     #[inline(always)]
     fn all(x: f32) -> Self {
-        Lanes([x; 8])
+        Lanes([x; 4])
     }
     #[inline(always)]
     fn truths(mask: Self::Mask) -> u32 {

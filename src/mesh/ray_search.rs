@@ -3,7 +3,7 @@
 //! Seen along the ray, corners are points of a plane, each off by some roundings of the mesh's size. A face is a
 //! candidate if the ray may be inside of it by these errors. [`first_hit_triangle`] decides among them, whose signs are
 //! exact, so that no ray passes between two faces.
-use super::face_search::{SearchRoom, push_nearest_last};
+use super::face_search::SearchRoom;
 use super::mesh_column::Mesh;
 use super::mesh_tree::MeshTree;
 use super::packet::{EightLanes, EightNumbers, PACKET, Packet, TreeNode};
@@ -144,9 +144,8 @@ fn sight<L: EightLanes>(packet: &Packet, ray: &TreeRay) -> PacketSight {
 #[inline(always)]
 fn collect<L: EightLanes>(tree: &MeshTree, ray: &TreeRay, all: bool, room: &mut SearchRoom) -> f32 {
     let mut limit = f32::INFINITY;
-    room.stack.clear();
+    room.stack.start();
     room.candidates.clear();
-    room.stack.push((0.0, 0));
     let mut steps = [0.0; 8];
     while let Some((step, child)) = room.stack.pop() {
         if step > limit {
@@ -158,8 +157,8 @@ fn collect<L: EightLanes>(tree: &MeshTree, ray: &TreeRay, all: bool, room: &mut 
             while found.sure != 0 && !all {
                 let lane = found.sure.trailing_zeros() as usize;
                 found.sure &= found.sure - 1;
-                limit = if found.last[lane] < limit {
-                    found.last[lane]
+                limit = if found.last[lane & 7] < limit {
+                    found.last[lane & 7]
                 } else {
                     limit
                 };
@@ -167,8 +166,9 @@ fn collect<L: EightLanes>(tree: &MeshTree, ray: &TreeRay, all: bool, room: &mut 
             while found.maybe != 0 {
                 let lane = found.maybe.trailing_zeros() as usize;
                 found.maybe &= found.maybe - 1;
-                if found.first[lane] <= limit {
-                    room.candidates.push((found.first[lane], faces[lane]));
+                if found.first[lane & 7] <= limit {
+                    room.candidates
+                        .push((found.first[lane & 7], faces[lane & 7]));
                 }
             }
             continue;
@@ -181,7 +181,7 @@ fn collect<L: EightLanes>(tree: &MeshTree, ray: &TreeRay, all: bool, room: &mut 
             near |= L::truths(reached) << (part * (8 / L::PARTS));
             entry.put(&mut steps, part);
         }
-        push_nearest_last(node, near, &steps, &mut room.stack);
+        room.stack.push_nearest_last(node, near, &steps);
     }
     limit
 }
@@ -207,7 +207,11 @@ pub(crate) fn candidates<L: EightLanes>(
             .extend((0..faces as u32).map(|face| (0.0, face)));
         return f32::INFINITY;
     }
-    TreeRay::new(tree, ray).map_or(0.0, |ray| collect::<L>(tree, &ray, all, room))
+    // No closure: it would not be compiled for the vectors of its caller.
+    match TreeRay::new(tree, ray) {
+        Some(ray) => collect::<L>(tree, &ray, all, room),
+        None => 0.0,
+    }
 }
 
 /// Returns the parameter at which a ray meets a face, by exact signs.
@@ -232,20 +236,26 @@ pub(crate) fn first<L: EightLanes, S: Scalar<Mask = bool>>(
 ) -> Option<u32> {
     let limit = candidates::<L>(mesh.faces().len(), tree, ray, false, room);
     let mut best: Option<(f64, u32)> = None;
-    for &(_, face) in room.candidates.iter().filter(|found| found.0 <= limit) {
+    for &(step, face) in &room.candidates {
+        if step > limit {
+            continue;
+        }
         let Some(parameter) = meeting(mesh, ray, face) else {
             continue;
         };
-        let is_better = best
-            .is_none_or(|(least, other)| parameter < least || parameter == least && face < other);
+        let is_better = match best {
+            Some((least, other)) => parameter < least || parameter == least && face < other,
+            None => true,
+        };
         if is_better {
             best = Some((parameter, face));
         }
     }
-    best.map(|found| found.1)
+    Some(best?.1)
 }
 
 /// Returns a ray as plain numbers, exactly.
+#[inline]
 pub(crate) fn plain_ray<S: Scalar<Mask = bool>>(ray: Ray3<S>) -> Ray3<f64> {
     use super::mesh_column::plain;
     Ray3 {

@@ -1,10 +1,10 @@
 //! The list of kernels, each compiled for every level, with the only calls into code whose instructions a processor may
 //! lack.
-use crate::Vec2;
 use crate::kernels::cpu::arch::BoundCode;
 use crate::kernels::cpu::blocks::{self, SPACE};
 use crate::kernels::cpu::boxes3;
 use crate::kernels::cpu::lane::{Lane, Planes, ResultTiles, TILE, Tiles};
+use crate::kernels::cpu::mesh_searches;
 use crate::kernels::cpu::nearest;
 use crate::kernels::cpu::overlaps::{self, BOUNDS, View};
 use crate::kernels::cpu::program::execute::{self, Memory, Pass};
@@ -15,7 +15,9 @@ use crate::kernels::cpu::quads;
 use crate::kernels::cpu::rings::{self, Measure};
 use crate::kernels::cpu::upright_boxes;
 use crate::kernels::cpu::winding;
+use crate::mesh::{FaceRecord, MeshSurface};
 use crate::overlap::Denominator;
+use crate::{Ray3, Vec2, Vec3};
 
 /// Lists kernels: a name, arguments, and the generic function, of a format `T` and a vector `V`.
 ///
@@ -172,6 +174,10 @@ entries! {
     winding_of_ring(point: Vec2<T>, ring: &[T], limits: nearest::ReliableLimits<T>) -> Option<T> = winding::of_ring::<T, V>;
     /// The distance of every vertex from the one before.
     edge_lengths(vertices: &[T], out: &mut [T]) = rings::edge_lengths::<T, V>;
+    /// The nearest faces of some points, in the order of `order`.
+    nearest_faces(surface: &MeshSurface<'_, T>, points: &[Vec3<T>], order: &[u32], found: &mut Vec<FaceRecord>) = mesh_searches::nearest_faces::<T, V>;
+    /// The first faces that some rays meet, in the order of `order`.
+    first_faces(surface: &MeshSurface<'_, T>, rays: &[Ray3<T>], order: &[u32], found: &mut Vec<Option<u32>>) = mesh_searches::first_faces::<T, V>;
     /// Measures of rings; `false` if a vertex is not finite, and the measures are then arbitrary.
     ring_values(measure: Measure, vertices: &[Vec2<T>], offsets: &[usize], out: &mut [T]) -> bool = rings::values::<T, V>;
     /// Adjoints of measures of rings.

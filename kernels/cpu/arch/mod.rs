@@ -38,6 +38,7 @@ pub(crate) use native::{BoundCode, Native};
 pub(crate) use no_native::{BoundCode, Native};
 
 use crate::kernels::cpu::lane::{Lane, TILE};
+use crate::mesh::EightLanes;
 use crate::scalar::lanes::LaneMask;
 use crate::{Lanes, Scalar};
 use std::hint::black_box;
@@ -80,6 +81,19 @@ pub(crate) trait Vector<T>: Scalar<Primal = Self> {
     fn from_items(item: impl Fn(usize) -> [T; 4]) -> [Self; 4];
     /// Transposes vectors to items: passes the four fields of every item to `put`.
     fn to_items(fields: [Self; 4], put: impl FnMut(usize, [T; 4]));
+}
+
+/// The vectors of single precision for searches in trees of eight, beside a vector of any format: eight numbers at most.
+pub(crate) trait Eights {
+    /// The vector.
+    type Eight: EightLanes;
+}
+
+impl Eights for Lanes<f32, 4> {
+    type Eight = Lanes<f32, 4>;
+}
+impl Eights for Lanes<f64, 2> {
+    type Eight = Lanes<f32, 4>;
 }
 
 /// Implements [`Vector`] for plain arrays whose width every target has vectors of.

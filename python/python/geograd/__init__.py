@@ -23,6 +23,7 @@ from ._elementary import ELEMENTARY as _ELEMENTARY, clip, where
 from ._euler import euler, from_euler
 from ._function import Function, function
 from ._hulls import MEASURES as _OF_HULLS, HullMeasure, hull_faces
+from ._mesh import Mesh
 from ._points import convex_hull, procrustes
 from ._polygons import OVERLAYS as _OVERLAYS, Polygons, contains, union_area
 from ._shapes import CLASSES as _CLASSES, Clouds, Paths, Polylines, Rings
@@ -42,7 +43,8 @@ if hasattr(_os, "register_at_fork"):
 
 __all__ = sorted(
     [
-        "Clouds", "Function", "HullMeasure", "Paths", "Polygons", "Polylines", "Program", "Reports", "Rings", "Shape", "Symbol", "Truth", "Verb",
+        "Clouds", "Function", "HullMeasure", "Mesh", "Paths", "Polygons", "Polylines", "Program", "Reports", "Rings", "Shape", "Symbol",
+        "Truth", "Verb",
         "WGSL", "__version__", "assignment", "metric", "suppression",
         "buffer", "check", "clip", "contains", "convex_hull", "euler", "from_euler", "function", "get_num_threads", "hull_faces", "procrustes", "sees",
         "set_num_threads", "union_area", "where", *_ELEMENTARY, *_CLASSES, *_OF_HULLS, *_OVERLAYS, *_VERBS,

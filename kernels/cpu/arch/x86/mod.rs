@@ -19,6 +19,7 @@ macro_rules! arch {
 
 #[macro_use]
 mod registers;
+mod eights;
 mod exponentials;
 mod sines;
 

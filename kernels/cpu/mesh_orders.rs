@@ -1,0 +1,96 @@
+//! Searches of many queries in one mesh, in the order of a curve through space, so that neighbours read the same nodes.
+//!
+//! The order changes no record: see [`mesh`](crate::mesh).
+use crate::kernels::cpu::formats::kernels_in;
+use crate::kernels::cpu::work::in_parallel;
+use crate::mesh::{FaceRecord, MeshSurface, plain};
+use crate::{Ray3, Real, Vec3};
+use std::sync::Mutex;
+
+/// The number of queries in a piece of work.
+const PIECE: usize = 1024;
+/// The number of queries from which on they are sorted.
+const MANY: usize = 32;
+/// The cells of the curve along each axis, by their number of binary digits.
+const DIGITS: u32 = 10;
+
+/// Spreads ten binary digits, so that two others fit between neighbours.
+fn spread(x: u64) -> u64 {
+    let x = (x | x << 16) & 0x0300_00ff;
+    let x = (x | x << 8) & 0x0300_f00f;
+    let x = (x | x << 4) & 0x030c_30c3;
+    (x | x << 2) & 0x0924_9249
+}
+
+/// Returns the order of places along a Z-curve through their bounds; equal cells keep the order of the list.
+fn along_curve(places: impl ExactSizeIterator<Item = Vec3<f64>> + Clone) -> Vec<u32> {
+    let count = places.len() as u32;
+    if places.len() < MANY {
+        return (0..count).collect();
+    }
+    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+    for Vec3 { x, y, z } in places.clone() {
+        for (k, x) in [x, y, z].into_iter().enumerate() {
+            low[k] = if x < low[k] { x } else { low[k] };
+            high[k] = if x > high[k] { x } else { high[k] };
+        }
+    }
+    let cells = f64::from((1 << DIGITS) - 1);
+    let scale = [0, 1, 2].map(|k| cells / (high[k] - low[k]));
+    let key = |(i, Vec3 { x, y, z }): (usize, Vec3<f64>)| {
+        // A conversion of NaN, of an axis without extent, is zero.
+        let cell = |k: usize, x: f64| spread(((x - low[k]) * scale[k]) as u64 & 0x3ff);
+        (cell(0, x) | cell(1, y) << 1 | cell(2, z) << 2) << 32 | i as u64
+    };
+    let mut keys: Vec<u64> = places.enumerate().map(key).collect();
+    keys.sort_unstable();
+    keys.into_iter().map(|key| key as u32).collect()
+}
+
+/// Returns the results of a search, in the order of the queries.
+fn search<R: Copy + Send>(
+    order: &[u32],
+    none: R,
+    run: impl Fn(&[u32], &mut Vec<R>) + Send + Sync,
+) -> Vec<R> {
+    let pieces = order.chunks(PIECE).count();
+    let found: Vec<Mutex<Vec<R>>> = (0..pieces).map(|_| Mutex::new(Vec::new())).collect();
+    let work = order.chunks(PIECE).zip(&found).collect();
+    in_parallel(work, |(order, found): (&[u32], &Mutex<Vec<R>>)| {
+        let mut own = Vec::with_capacity(order.len());
+        run(order, &mut own);
+        if let Ok(mut found) = found.lock() {
+            *found = own;
+        }
+    });
+    let mut all = vec![none; order.len()];
+    for (order, found) in order.chunks(PIECE).zip(found) {
+        let found = found.into_inner().unwrap_or_default();
+        for (&i, record) in order.iter().zip(found) {
+            all[i as usize] = record;
+        }
+    }
+    all
+}
+
+/// Returns the nearest faces of points, which must be finite.
+pub(super) fn nearest_of_all<T: Real>(
+    surface: &MeshSurface<'_, T>,
+    points: &[Vec3<T>],
+) -> Vec<FaceRecord> {
+    let order = along_curve(points.iter().map(|&point| plain(point)));
+    search(&order, FaceRecord::NONE, |order, found| {
+        (kernels_in::<T>().nearest_faces)(surface, points, order, found);
+    })
+}
+
+/// Returns the first faces that rays meet. Rays must be finite.
+pub(super) fn first_of_all<T: Real>(
+    surface: &MeshSurface<'_, T>,
+    rays: &[Ray3<T>],
+) -> Vec<Option<u32>> {
+    let order = along_curve(rays.iter().map(|ray| plain(ray.point)));
+    search(&order, None, |order, found| {
+        (kernels_in::<T>().first_faces)(surface, rays, order, found);
+    })
+}

@@ -1,0 +1,45 @@
+//! The kernels of searches in meshes, one query after another in a given order.
+//!
+//! A closest point of the query before is a hint. It changes no record: see [`mesh`](crate::mesh).
+use crate::kernels::cpu::arch::Eights;
+use crate::mesh::{
+    FaceRecord, MeshSurface, SearchRoom, closest_replay, first, nearest, plain, plain_ray,
+};
+use crate::{Ray3, Real, Triangle3, Vec3};
+
+/// Appends the nearest faces of some points. They must be finite.
+#[inline(always)]
+pub(super) fn nearest_faces<T: Real, V: Eights>(
+    surface: &MeshSurface<'_, T>,
+    points: &[Vec3<T>],
+    order: &[u32],
+    found: &mut Vec<FaceRecord>,
+) {
+    let (mesh, tree) = (surface.mesh(), surface.tree());
+    let mut room = SearchRoom::default();
+    let mut known = None;
+    for &i in order {
+        let point = plain(points[i as usize]);
+        let record = nearest::<V::Eight, T>(mesh, tree, point, known, &mut room);
+        let record = record.unwrap_or(FaceRecord::NONE);
+        let [a, b, c] = mesh.plain_triangle(record.face);
+        known = Some(closest_replay(point, Triangle3 { a, b, c }, record.feature));
+        found.push(record);
+    }
+}
+
+/// Appends the first faces that some rays meet.
+#[inline(always)]
+pub(super) fn first_faces<T: Real, V: Eights>(
+    surface: &MeshSurface<'_, T>,
+    rays: &[Ray3<T>],
+    order: &[u32],
+    found: &mut Vec<Option<u32>>,
+) {
+    let (mesh, tree) = (surface.mesh(), surface.tree());
+    let mut room = SearchRoom::default();
+    for &i in order {
+        let ray = plain_ray(rays[i as usize]);
+        found.push(first::<V::Eight, T>(mesh, tree, ray, &mut room));
+    }
+}

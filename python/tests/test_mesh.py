@@ -1,0 +1,193 @@
+"""Meshes: closest points, distances and hits against every face one by one and against trimesh, gradients against differences."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+import geograd
+
+
+def bumpy(cuts=2, seed=1):
+    """A closed mesh: an octahedron whose faces are cut in four, with vertices moved at random."""
+    vertices = [np.eye(3)[k] * sign for k in range(3) for sign in (1.0, -1.0)]
+    faces = [(x, y, z) if (x + y + z) % 2 == 0 else (x, z, y) for x in (0, 1) for y in (2, 3) for z in (4, 5)]
+    for _ in range(cuts):
+        middles = {}
+
+        def middle(i, j):
+            key = min(i, j), max(i, j)
+            if key not in middles:
+                middles[key] = len(vertices)
+                vertices.append((vertices[i] + vertices[j]) / np.linalg.norm(vertices[i] + vertices[j]))
+            return middles[key]
+
+        cut = []
+        for a, b, c in faces:
+            x, y, z = middle(a, b), middle(b, c), middle(c, a)
+            cut += [(a, x, z), (b, y, x), (c, z, y), (x, y, z)]
+        faces = cut
+    random = np.random.default_rng(seed)
+    vertices = np.array(vertices)
+    return vertices * random.uniform(0.9, 1.1, (len(vertices), 1)), np.array(faces)
+
+
+VERTICES, FACES = bumpy()
+MESH = geograd.Mesh(VERTICES, FACES)
+POINTS = np.random.default_rng(2).uniform(-1.5, 1.5, (400, 3))
+
+
+def nearest(point, vertices=VERTICES, faces=FACES):
+    """The distance of a point, by the plane and the edges of every face."""
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    best = np.full(len(faces), np.inf)
+    for p, q in ((a, b), (b, c), (c, a)):
+        t = np.clip(((point - p) * (q - p)).sum(1) / ((q - p) ** 2).sum(1), 0, 1)[:, None]
+        best = np.minimum(best, np.linalg.norm(p + t * (q - p) - point, axis=1))
+    n = np.cross(b - a, c - a)
+    inside = np.all([(np.cross(q - p, point - p) * n).sum(1) > 0 for p, q in ((a, b), (b, c), (c, a))], axis=0)
+    height = np.abs(((point - a) * n).sum(1)) / np.linalg.norm(n, axis=1)
+    return np.where(inside, height, best).min()
+
+
+def test_distances_are_the_least_of_all_faces():
+    expected = np.array([nearest(point) for point in POINTS])
+    np.testing.assert_allclose(MESH.distance(POINTS), expected, rtol=1e-12, atol=1e-14)
+    np.testing.assert_allclose(MESH.squared_distance(POINTS), expected**2, rtol=1e-12, atol=1e-14)
+    closest, faces = MESH.closest(POINTS.reshape(20, 20, 3))
+    assert closest.shape == (20, 20, 3) and faces.shape == (20, 20) and faces.dtype == np.int64
+    np.testing.assert_allclose(np.linalg.norm(closest.reshape(-1, 3) - POINTS, axis=1), expected, rtol=1e-12, atol=1e-14)
+    signed = MESH.signed_distance(POINTS)
+    np.testing.assert_allclose(np.abs(signed), expected, rtol=1e-12, atol=1e-14)
+    assert (signed[np.linalg.norm(POINTS, axis=1) < 0.8] < 0).all() and (signed[np.linalg.norm(POINTS, axis=1) > 1.15] > 0).all()
+
+
+def test_rays_meet_what_they_are_aimed_at():
+    centres = VERTICES[FACES].mean(1)
+    starts = 3 * centres
+    parameters, faces = MESH.rays(starts, centres - starts)
+    np.testing.assert_allclose(parameters, 1, rtol=1e-12)
+    assert faces.tolist() == list(range(len(FACES)))
+    parameters, faces = MESH.rays(starts, starts)
+    assert (parameters == np.inf).all() and (faces == -1).all()
+    # From within, whatever the direction.
+    parameters, faces = MESH.rays([0, 0, 0], POINTS)
+    assert (faces >= 0).all()
+    np.testing.assert_allclose(MESH.distance(parameters[:, None] * POINTS), 0, atol=1e-14)
+
+
+def test_a_mesh_of_trimesh_gives_what_trimesh_gives():
+    trimesh = pytest.importorskip("trimesh")
+    pytest.importorskip("rtree")
+    other = trimesh.Trimesh(VERTICES, FACES, process=False)
+    mesh = geograd.Mesh(other)
+    assert len(mesh) == len(FACES) and (mesh.faces == FACES).all()
+    _, distance, _ = trimesh.proximity.closest_point(other, POINTS)
+    np.testing.assert_allclose(mesh.distance(POINTS), distance, rtol=1e-9, atol=1e-9)
+    np.testing.assert_allclose(-trimesh.proximity.signed_distance(other, POINTS), mesh.signed_distance(POINTS), rtol=1e-9, atol=1e-9)
+    directions = np.random.default_rng(4).normal(size=POINTS.shape)
+    hits, rays, faces = other.ray.intersects_location(POINTS, directions, multiple_hits=False)
+    parameters, found = mesh.rays(POINTS, directions)
+    assert sorted(rays) == np.flatnonzero(found >= 0).tolist()
+    np.testing.assert_allclose((POINTS + parameters[:, None] * directions)[rays], hits, rtol=1e-7, atol=1e-7)
+
+
+def test_moved_vertices_take_the_tree_along():
+    other = VERTICES * [1.0, 0.5, 2.0] + [3, 0, 0]
+    moved = MESH.moved(other)
+    assert (moved.vertices == other).all() and (MESH.vertices == VERTICES).all()
+    assert (moved.distance(POINTS) == geograd.Mesh(other, FACES).distance(POINTS)).all()
+    assert (pickle.loads(pickle.dumps(moved)).distance(POINTS) == moved.distance(POINTS)).all()
+
+
+def test_any_number_of_threads_gives_the_same_bits():
+    points, threads = np.random.default_rng(5).normal(size=(20_000, 3)), geograd.get_num_threads()
+    try:
+        geograd.set_num_threads(1)
+        one = MESH.closest(points)[0]
+        geograd.set_num_threads(2)
+        assert (MESH.closest(points)[0] == one).all()
+    finally:
+        geograd.set_num_threads(threads)
+
+
+def test_faults_name_what_is_wrong():
+    with pytest.raises(ValueError, match="corner 1 of face 2 is vertex 9, which"):
+        geograd.Mesh(VERTICES[:4], [[0, 1, 2], [0, 1, 2], [0, 9, 1]])
+    with pytest.raises(ValueError, match="corner 0 of face 0 is vertex -1, which"):
+        geograd.Mesh(VERTICES, [[-1, 1, 2]])
+    with pytest.raises(ValueError, match="vertex 1 has a coordinate that is not a finite number"):
+        geograd.Mesh([[0, 0, 0], [np.nan, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    with pytest.raises(ValueError, match="the mesh has no faces"):
+        geograd.Mesh(VERTICES, np.zeros((0, 3), int))
+    with pytest.raises(TypeError, match="faces: whole numbers are needed"):
+        geograd.Mesh(VERTICES, [[0.0, 1.0, 2.0]])
+    with pytest.raises(TypeError, match="one object with vertices and faces"):
+        geograd.Mesh(VERTICES)
+    with pytest.raises(ValueError, match="face 0 has no neighbour at its edge"):
+        geograd.Mesh(VERTICES, FACES[:3]).signed_distance(POINTS)
+    with pytest.raises(ValueError, match="`points` item 1: "):
+        MESH.distance([[0, 0, 0], [0, np.inf, 0]])
+    with pytest.raises(ValueError, match=r"points: an array of shape \(..., 3\) is needed, not \(2,\)"):
+        MESH.distance([0, 1])
+    with pytest.raises(ValueError, match="the tree is of 66 vertices"):
+        MESH.moved(np.vstack([VERTICES, VERTICES[:1]]))
+    assert MESH.distance(np.zeros((0, 3))).shape == (0,)
+
+
+@pytest.mark.parametrize("kind", ["distance", "squared_distance", "signed_distance", "closest"])
+def test_gradients_of_tensors_are_those_of_differences(kind):
+    torch = pytest.importorskip("torch")
+    pytest.importorskip("geograd.torch")
+    vertices, faces = bumpy(1)
+    vertices = torch.tensor(vertices, requires_grad=True)
+    points = torch.tensor(POINTS[:40].reshape(2, 20, 3), requires_grad=True)
+
+    def query(points, vertices):
+        return getattr(geograd.torch.Mesh(vertices, faces), kind)(points)
+
+    assert torch.autograd.gradcheck(query, (points, vertices), eps=1e-7, atol=1e-5)
+    assert query(points, vertices).shape == points.shape if kind == "closest" else points.shape[:-1]
+
+
+def test_gradients_of_rays_are_those_of_differences():
+    torch = pytest.importorskip("torch")
+    pytest.importorskip("geograd.torch")
+    vertices, faces = bumpy(1)
+    vertices = torch.tensor(vertices, requires_grad=True)
+    random = np.random.default_rng(7)
+    starts = torch.tensor(random.normal(size=(30, 3)) * 2, requires_grad=True)
+    directions = torch.tensor(random.normal(size=(30, 3)) * 0.2 - starts.detach().numpy(), requires_grad=True)
+    hit = geograd.torch.Mesh(vertices, faces).rays(starts, directions)[1] >= 0
+    assert 5 < hit.sum()
+
+    def query(starts, directions, vertices):
+        return geograd.torch.Mesh(vertices, faces).rays(starts, directions)[0][hit]
+
+    assert torch.autograd.gradcheck(query, (starts, directions, vertices), eps=1e-7, atol=1e-5)
+    # Misses have no part in derivatives, in single precision neither.
+    away = torch.tensor([[3.0, 0.0, 0.0]], requires_grad=True)
+    values, indices = geograd.torch.Mesh(vertices, faces).rays(away, away)
+    assert values.dtype == torch.float32 and values.item() == np.inf and indices.item() == -1
+    values.sum().backward()
+    assert (away.grad == 0).all()
+
+
+def test_a_mesh_descends_to_points():
+    torch = pytest.importorskip("torch")
+    pytest.importorskip("geograd.torch")
+    vertices = torch.tensor(VERTICES, requires_grad=True)
+    mesh = geograd.torch.Mesh(vertices, FACES)
+    targets = torch.tensor(POINTS / np.linalg.norm(POINTS, axis=1, keepdims=True))
+    optimiser = torch.optim.Adam([vertices], lr=0.01)
+    losses = []
+    for _ in range(60):
+        optimiser.zero_grad()
+        mesh = geograd.torch.Mesh(vertices, like=mesh)
+        loss = mesh.squared_distance(targets).mean()
+        loss.backward()
+        optimiser.step()
+        losses.append(loss.item())
+    assert losses[-1] < 0.05 * losses[0], losses
+    with pytest.raises(TypeError, match="faces are needed, or like"):
+        geograd.torch.Mesh(vertices)
