@@ -40,9 +40,10 @@ pub fn centroids_vjp<S: Scalar<Mask = bool>>(
     centroids_bar: &[Vec2<S>],
 ) -> DiagramBars<S> {
     let moments = cells.moments();
-    let bars = moments.iter().zip(centroids_bar).map(|(own, &bar)| {
+    let of_moments = |i: usize| {
+        let (own, bar) = (moments[i], centroids_bar[i]);
         // The centroid is y + first/area.
-        if !own.area.above(S::zero()) {
+        if !cells.has_area(i) {
             return CellMoments::zero();
         }
         let first = Vec2::new(bar.x.over(own.area), bar.y.over(own.area));
@@ -51,8 +52,8 @@ pub fn centroids_vjp<S: Scalar<Mask = bool>>(
             first,
             second: S::zero(),
         }
-    });
-    let bars: Vec<_> = bars.collect();
+    };
+    let bars: Vec<_> = (0..cells.len()).map(of_moments).collect();
     let mut found = moments_vjp(cells, &bars);
     for (site, &bar) in found.sites.iter_mut().zip(centroids_bar) {
         *site += bar;

@@ -219,15 +219,28 @@ impl<'a, 't, S: Scalar<Mask = bool>> Cells<'a, 't, S> {
     pub fn areas(&self) -> Vec<S> {
         self.moments().iter().map(|own| own.area).collect()
     }
-    /// Returns the centroid of each cell; the site itself where the area is zero.
+    /// Returns the centroid of each cell; the site itself where the area is zero but for roundings.
     #[must_use]
     pub fn centroids(&self) -> Vec<Vec2<S>> {
-        let of_site = |(own, &site): (&CellMoments<S>, &Vec2<S>)| match own.area.above(S::zero()) {
-            true => site + Vec2::new(own.first.x.over(own.area), own.first.y.over(own.area)),
-            false => site,
-        };
         let all = self.moments();
-        all.iter().zip(self.diagram.sites).map(of_site).collect()
+        let of_site = |i: usize| {
+            let (own, site) = (all[i], self.diagram.sites[i]);
+            match self.has_area(i) {
+                true => site + Vec2::new(own.first.x.over(own.area), own.first.y.over(own.area)),
+                false => site,
+            }
+        };
+        (0..self.len()).map(of_site).collect()
+    }
+    /// Returns `true` if the area of a site's cell is larger than the rounding errors of its sum.
+    pub(crate) fn has_area(&self, site: usize) -> bool {
+        let (mut sum, mut size) = (S::zero(), S::zero());
+        self.each_piece(self.trace.first[site], |Piece { ends: [p, q], .. }| {
+            let cross = p.perp_dot(q);
+            sum += cross;
+            size += cross.magnitude();
+        });
+        sum.above(size * S::rounding(64.0, 1))
     }
     /// Returns the energy of transport: the sum over cells of the integral of `|x − y|² − w`, in fourth powers of
     /// length. Its derivative by a site is `−2` times the first moment, by a weight minus the area.
