@@ -1428,6 +1428,30 @@ class Line3(Shape):
     @property
     def direction(self) -> Vec3: ...
 
+class Motion3(Shape):
+    """A motion from time 0 to 1 at constant velocity and turn: the centre of the turn at time 0, the way
+    of that centre, and the rotation vector of the whole turn.
+
+    An array whose last axis has its numbers, in this order:
+
+        center.x: coordinate
+        center.y: coordinate
+        center.z: coordinate
+        velocity.x: part of a direction
+        velocity.y: part of a direction
+        velocity.z: part of a direction
+        turn.x: part of a rotation vector in radians
+        turn.y: part of a rotation vector in radians
+        turn.z: part of a rotation vector in radians
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def center(self) -> Vec3: ...
+    @property
+    def velocity(self) -> Vec3: ...
+    @property
+    def turn(self) -> Vec3: ...
+
 class NuScenesBox(Shape):
     """A box of nuScenes: the centre, width, length, height, and the rotation as a quaternion (w, x, y, z)
     of any length; the direction of travel is its own x axis.
@@ -2213,6 +2237,8 @@ class _area(Verb):
             The area of a circle.
         area(polygon: ConvexPolygon6) -> number
             The area of a convex polygon of up to N vertices. Nothing is searched for.
+        area(shape: Disc) -> number
+            The area of a disc.
         area(shape: Obb2) -> number
             The area of a rotated box.
         area(shape: Triangle2) -> number
@@ -2232,6 +2258,8 @@ class _area(Verb):
     def __call__(self, shape: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, polygon: ConvexPolygon6, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Disc, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -2348,6 +2376,10 @@ class _centroid(Verb):
     Rows:
         centroid(shape: Cone) -> Vec3
             The centre of the volume of a cone.
+        centroid(shape: Cylinder) -> Vec3
+            The centre of the volume of a cylinder.
+        centroid(shape: Hull3_8) -> Vec3
+            The centre of the volume of a convex hull of up to N vertices. It jumps where the hull becomes flat, which has the centre of its area.
         centroid(shape: Tetrahedron) -> Vec3
             The centre of the volume of a tetrahedron.
         centroid(shape: Triangle2) -> Vec2
@@ -2363,6 +2395,10 @@ class _centroid(Verb):
     """
     @overload
     def __call__(self, shape: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3: ...
+    @overload
+    def __call__(self, shape: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3: ...
+    @overload
+    def __call__(self, shape: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3: ...
     @overload
     def __call__(self, shape: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3: ...
     @overload
@@ -2493,6 +2529,20 @@ class _circumcircle(Verb):
     def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 circumcircle: _circumcircle
+
+class _clearance(Verb):
+    """The least signed distance of a capsule of space and a box of any orientation along their motions. Hulls have up to N vertices. Its time is of Clearance3.
+
+    Rows:
+        clearance(a: Capsule3, motion_of_a: Motion3, b: Obb3, motion_of_b: Motion3) -> number
+    """
+    @overload
+    def __call__(self, a: Capsule3, motion_of_a: Motion3, b: Obb3, motion_of_b: Motion3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
+
+clearance: _clearance
 
 class _closest_points(Verb):
     """The nearest points of two shapes. They jump where another feature becomes the nearest.
@@ -2927,6 +2977,8 @@ class _distance(Verb):
             The distance of two convex polygons of up to N vertices, 0 where they meet.
         distance(a: Ellipsoid, b: Ellipsoid) -> number
             The distance of two ellipsoids, 0 where they meet.
+        distance(hull: Hull3_8, cylinder: Cylinder) -> number
+            The distance of a convex hull and a cylinder, 0 where they meet. Hulls have up to N vertices.
         distance(a: Hull3_8, b: Hull3_8) -> number
             The distance of two convex hulls, 0 where they meet. Hulls have up to N vertices.
         distance(a: Interval, b: Interval) -> number
@@ -3124,6 +3176,8 @@ class _distance(Verb):
     def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Ellipsoid, b: Ellipsoid, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, hull: Hull3_8, cylinder: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Hull3_8, b: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -3713,6 +3767,8 @@ class _inertia(Verb):
             The inertia of a cone about its centroid, by unit density.
         inertia(shape: Cylinder) -> Symmetric3
             The inertia of a cylinder about its centroid, by unit density.
+        inertia(shape: Ellipsoid) -> Symmetric3
+            The inertia of an ellipsoid about its centroid, by unit density.
         inertia(shape: Obb3) -> Symmetric3
             The inertia of a box of any orientation about its centroid, by unit density.
         inertia(shape: RoundBox3) -> Symmetric3
@@ -3728,6 +3784,8 @@ class _inertia(Verb):
     def __call__(self, shape: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Symmetric3: ...
     @overload
     def __call__(self, shape: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Symmetric3: ...
+    @overload
+    def __call__(self, shape: Ellipsoid, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Symmetric3: ...
     @overload
     def __call__(self, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Symmetric3: ...
     @overload
@@ -4837,6 +4895,8 @@ class _signed_distance(Verb):
             The signed distance of two cylinders: less than 0 where they overlap, by the least move that parts them.
         signed_distance(a: Ellipsoid, b: Ellipsoid) -> number
             The signed distance of two ellipsoids: less than 0 where they overlap, by the least move that parts them.
+        signed_distance(hull: Hull3_8, ellipsoid: Ellipsoid) -> number
+            The signed distance of a convex hull and an ellipsoid: less than 0 where they overlap, by the least move that parts them. Hulls have up to N vertices.
         signed_distance(a: Hull3_8, b: Hull3_8) -> number
             The signed distance of two convex hulls: less than 0 where they overlap, by the least move that parts them. Hulls have up to N vertices.
         signed_distance(a: Interval, b: Interval) -> number
@@ -5018,6 +5078,8 @@ class _signed_distance(Verb):
     def __call__(self, a: Cylinder, b: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Ellipsoid, b: Ellipsoid, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, hull: Hull3_8, ellipsoid: Ellipsoid, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Hull3_8, b: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -5354,6 +5416,8 @@ class _surface(Verb):
             The area of the surface of a cone.
         surface(shape: Cylinder) -> number
             The area of the surface of a cylinder.
+        surface(shape: Hull3_8) -> number
+            The area of the surface of a convex hull of up to N vertices; of both sides of a flat one.
         surface(shape: Obb3) -> number
             The area of the surface of a box of any orientation.
         surface(shape: RoundBox3) -> number
@@ -5373,6 +5437,8 @@ class _surface(Verb):
     def __call__(self, shape: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, shape: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -5449,6 +5515,8 @@ class _volume(Verb):
             The volume of a cylinder.
         volume(shape: Ellipsoid) -> number
             The volume of an ellipsoid.
+        volume(shape: Hull3_8) -> number
+            The volume of a convex hull of up to N vertices; 0 of a flat one.
         volume(shape: Obb3) -> number
             The volume of a box of any orientation.
         volume(shape: RoundBox3) -> number
@@ -5470,6 +5538,8 @@ class _volume(Verb):
     def __call__(self, shape: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, shape: Ellipsoid, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
