@@ -1,9 +1,6 @@
-//! The search: cells cut by bisectors.
-use super::cell_domain::Domain;
-use super::site_tree::{Site, SiteTree};
-use super::{CellTrace, PowerDiagram};
-use crate::predicate::wide;
-use crate::{Scalar, Vec2};
+//! Rings of corners, cut by lines.
+use super::site_tree::Site;
+use crate::Vec2;
 
 /// The bit of a border's code that marks an edge of the domain: the rest is its place among [oriented
 /// edges](super::cell_domain::Domain). Codes without it are numbers of sites.
@@ -42,7 +39,7 @@ impl Ring {
         both.map(|(&x, &y)| Vec2::new(x, y))
     }
     /// Returns the squared distance of the farthest corner from the site; −1 without corners.
-    fn reach(&self) -> f64 {
+    pub fn reach(&self) -> f64 {
         let squares = self.x.iter().zip(&self.y);
         squares.fold(-1.0, |most, (x, y)| f64::max(most, x * x + y * y))
     }
@@ -124,82 +121,4 @@ pub(super) fn bisector(site: &Site, other: &Site) -> (Vec2<f64>, f64) {
     let [x, y] = [0, 1].map(|k| other.place[k] - site.place[k]);
     let n = Vec2::new(x, y);
     (n, (n.length_squared() + (site.weight - other.weight)) / 2.0)
-}
-
-/// Returns the first site at each one's place with its weight, and the sites that have cells of their own.
-fn welded(sites: &[Site]) -> (Vec<usize>, Vec<Site>) {
-    let mut order: Vec<usize> = (0..sites.len()).collect();
-    order.sort_unstable_by(|&i, &j| {
-        let (a, b) = (&sites[i], &sites[j]);
-        let places = a.place[0].total_cmp(&b.place[0]);
-        let places = places.then(a.place[1].total_cmp(&b.place[1]));
-        places.then(b.weight.total_cmp(&a.weight)).then(i.cmp(&j))
-    });
-    let mut first: Vec<usize> = (0..sites.len()).collect();
-    let mut is_own = vec![true; sites.len()];
-    // The heaviest site at this place.
-    let mut heaviest: Option<usize> = None;
-    for &i in &order {
-        match heaviest {
-            Some(j) if sites[i].place == sites[j].place => {
-                is_own[i] = false;
-                if sites[i].weight == sites[j].weight {
-                    first[i] = j;
-                }
-            }
-            _ => heaviest = Some(i),
-        }
-    }
-    let own = sites.iter().filter(|site| is_own[site.number]);
-    (first, own.copied().collect())
-}
-
-/// Returns what bounds each cell of a diagram.
-pub(super) fn searched<S: Scalar<Mask = bool>>(diagram: &PowerDiagram<'_, S>) -> CellTrace {
-    let number = |x: S| wide(Vec2::new(x, S::zero())).map_or(0.0, |[x, _]| x);
-    let sites: Vec<Site> = (0..diagram.sites.len())
-        .map(|i| Site {
-            // Both zeros are one place.
-            place: wide(diagram.sites[i]).unwrap_or([0.0; 2]).map(|x| x + 0.0),
-            weight: diagram.weights.get(i).map_or(0.0, |&w| number(w)),
-            number: i,
-        })
-        .collect();
-    let (first, own) = welded(&sites);
-    let tree = SiteTree::new(own);
-    let domain = Domain::new(diagram.domain);
-    // Cells in the order of the tree, whose sites need the same parts of memory, then in that of the sites.
-    let mut found = CellTrace::default();
-    let mut places = vec![0..0; sites.len()];
-    let (mut cutter, mut waiting) = (Cutter::default(), Vec::new());
-    let mut cell = Ring::default();
-    for site in &tree.sites {
-        let from = found.rings.len();
-        domain.start(site, &mut cell);
-        if !cell.is_empty() {
-            let mut reach = cell.reach();
-            tree.visit(site, reach, &mut waiting, |[x, y], high, other| {
-                let keeps_line = site.number < other.number;
-                let n = Vec2::new(x, y);
-                if cutter.cut(&mut cell, n, high, other.number, keeps_line) {
-                    reach = cell.reach();
-                }
-                reach
-            });
-        }
-        domain.finish(site, &mut cell, &sites, &mut cutter, &mut found);
-        places[site.number] = from..found.rings.len();
-    }
-    let mut trace = CellTrace {
-        first,
-        ..CellTrace::default()
-    };
-    for rings in places {
-        for ring in rings {
-            let start = ring.checked_sub(1).map_or(0, |before| found.rings[before]);
-            trace.push_ring(found.borders[start..found.rings[ring]].iter().copied());
-        }
-        trace.cells.push(trace.rings.len());
-    }
-    trace
 }

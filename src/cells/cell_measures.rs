@@ -72,8 +72,21 @@ pub(crate) fn side_share<S: Scalar>(ends: [Vec2<S>; 2], n: Vec2<S>) -> S {
     n.perp_dot(q - p).over(n.length_squared())
 }
 
+impl<'a, S: Scalar<Mask = bool>> PowerDiagram<'a, S> {
+    /// Returns the cells of a record, to be measured in this diagram's scalar. The record may be of other numbers, with
+    /// as many sites and the same rings: results are those of the same borders, then.
+    ///
+    /// # Panics
+    ///
+    /// When the record has another number of sites.
+    #[must_use]
+    pub fn cells<'t>(&self, trace: &'t CellTrace) -> Cells<'a, 't, S> {
+        Cells::new(*self, trace)
+    }
+}
+
 impl<'a, 't, S: Scalar<Mask = bool>> Cells<'a, 't, S> {
-    pub(super) fn new(diagram: PowerDiagram<'a, S>, trace: &'t CellTrace) -> Self {
+    fn new(diagram: PowerDiagram<'a, S>, trace: &'t CellTrace) -> Self {
         let count = diagram.sites.len();
         assert_eq!(
             trace.len(),

@@ -56,6 +56,7 @@ mod cell_cutting;
 mod cell_domain;
 mod cell_hessian;
 mod cell_measures;
+mod cell_search;
 mod cell_trace;
 mod power_diagram;
 mod site_tree;

@@ -1,6 +1,4 @@
 //! Sites, weights and a domain.
-use super::cell_cutting::searched;
-use super::{CellTrace, Cells};
 use crate::error::{Argument, Error, Field, Flaw};
 use crate::polygon::Rings;
 use crate::{Scalar, Vec2};
@@ -59,20 +57,5 @@ impl<'a, S: Scalar<Mask = bool>> PowerDiagram<'a, S> {
             }),
             Err(flaw) => invalid("domain", 0, flaw),
         }
-    }
-    /// Finds what bounds each cell, in time in proportion to `n log n` for sites spread over the domain.
-    #[must_use]
-    pub fn search(&self) -> CellTrace {
-        searched(self)
-    }
-    /// Returns the cells of a record, to be measured in this diagram's scalar. The record may be of other numbers, with
-    /// as many sites and the same rings: results are those of the same borders, then.
-    ///
-    /// # Panics
-    ///
-    /// When the record has another number of sites.
-    #[must_use]
-    pub fn cells<'t>(&self, trace: &'t CellTrace) -> Cells<'a, 't, S> {
-        Cells::new(*self, trace)
     }
 }

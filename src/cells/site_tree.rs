@@ -1,4 +1,10 @@
 //! A tree of sites, for those that can reach a cell.
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+/// Nodes that wait for a visit: their squared distances and places. Bits of numbers that are not negative have the
+/// order of the numbers.
+pub(super) type Waiting = BinaryHeap<Reverse<(u64, usize)>>;
 
 /// The number of sites in a leaf.
 const FEW: usize = 6;
@@ -76,14 +82,14 @@ impl SiteTree {
             self.split(from + half, to);
         }
     }
-    /// Calls something for each site whose bisector with a site may be nearer to it than a reach, near ones first as far
-    /// as leaves go. The call gets the difference of both, the height of the bisector along it and the other site, and returns what is
-    /// left of the reach, squared; a negative one ends the search. `waiting` is memory.
+    /// Calls something for each site whose bisector with a site may be nearer to it than a reach, in the order of
+    /// distances of leaves. The call gets the difference of both, the height of the bisector along it and the other
+    /// site. It returns what is left of the reach, squared; a negative one ends the search. `waiting` is memory.
     pub fn visit(
         &self,
         site: &Site,
         mut reach: f64,
-        waiting: &mut Vec<(f64, usize)>,
+        waiting: &mut Waiting,
         mut f: impl FnMut([f64; 2], f64, &Site) -> f64,
     ) {
         // The bisector of a site at a distance d with the weight w' is at (d² + w − w')/(2d), which is least where d² is
@@ -95,26 +101,25 @@ impl SiteTree {
             reached > 0.0 && reached * reached >= 4.0 * square * reach
         };
         waiting.clear();
-        waiting.push((0.0, 0));
-        while let Some((square, at)) = waiting.pop() {
+        waiting.push(Reverse((0, 0)));
+        while let Some(Reverse((square, at))) = waiting.pop() {
+            let square = f64::from_bits(square);
             let node = &self.nodes[at];
             if is_beyond(square, node.heaviest, reach) {
                 continue;
             }
             if node.second > 0 {
-                let [a, b] = [at + 1, node.second].map(|child| {
+                for child in [at + 1, node.second] {
                     let own = &self.nodes[child];
                     let gap = |k: usize| {
                         let x = site.place[k];
                         (own.low[k] - x).max(x - own.high[k]).max(0.0)
                     };
                     let (x, y) = (gap(0), gap(1));
-                    (x * x + y * y, child)
-                });
-                // The nearer one comes first.
-                match a.0 <= b.0 {
-                    true => waiting.extend([b, a]),
-                    false => waiting.extend([a, b]),
+                    let square = x * x + y * y;
+                    if !is_beyond(square, own.heaviest, reach) {
+                        waiting.push(Reverse((square.to_bits(), child)));
+                    }
                 }
                 continue;
             }
