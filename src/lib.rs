@@ -42,6 +42,7 @@
 //! | store and measure polygons with holes and several parts | [`polygon`] |
 //! | unite, intersect and subtract polygons of any kind | [`boolean`] |
 //! | grow, shrink (buffer) polygons and paths by a distance | [`offset`] |
+//! | divide a polygon among sites: Voronoi and power cells | [`cells`] |
 //! | clip, join, add convex polygons | [`clipping`], [`hull`] |
 //! | test whether a point is in a polygon, and how deep | [`contain`] |
 //! | measure distances, closest points and penetration of shapes | [`distance`](mod@distance) |

@@ -11,7 +11,7 @@ use std::sync::Mutex;
 const PIECE: usize = 1024;
 /// The number of queries from which on they are sorted.
 const MANY: usize = 32;
-/// The cells of the curve along each axis, by their number of binary digits.
+/// The steps of the curve along each axis, by their number of binary digits.
 const DIGITS: u32 = 10;
 
 /// Spreads ten binary digits, so that two others fit between neighbours.
@@ -22,7 +22,7 @@ fn spread(x: u64) -> u64 {
     (x | x << 2) & 0x0924_9249
 }
 
-/// Returns the order of places along a Z-curve through their bounds; equal cells keep the order of the list.
+/// Returns the order of places along a Z-curve through their bounds; equal steps keep the order of the list.
 fn along_curve(places: impl ExactSizeIterator<Item = Vec3<f64>> + Clone) -> Vec<u32> {
     let count = places.len() as u32;
     if places.len() < MANY {
@@ -35,12 +35,12 @@ fn along_curve(places: impl ExactSizeIterator<Item = Vec3<f64>> + Clone) -> Vec<
             high[k] = if x > high[k] { x } else { high[k] };
         }
     }
-    let cells = f64::from((1 << DIGITS) - 1);
-    let scale = [0, 1, 2].map(|k| cells / (high[k] - low[k]));
+    let steps = f64::from((1 << DIGITS) - 1);
+    let scale = [0, 1, 2].map(|k| steps / (high[k] - low[k]));
     let key = |(i, Vec3 { x, y, z }): (usize, Vec3<f64>)| {
         // A conversion of NaN, of an axis without extent, is zero.
-        let cell = |k: usize, x: f64| spread(((x - low[k]) * scale[k]) as u64 & 0x3ff);
-        (cell(0, x) | cell(1, y) << 1 | cell(2, z) << 2) << 32 | i as u64
+        let step = |k: usize, x: f64| spread(((x - low[k]) * scale[k]) as u64 & 0x3ff);
+        (step(0, x) | step(1, y) << 1 | step(2, z) << 2) << 32 | i as u64
     };
     let mut keys: Vec<u64> = places.enumerate().map(key).collect();
     keys.sort_unstable();

@@ -5,6 +5,7 @@ mod buffered;
 mod call;
 mod camera;
 mod catalogue;
+mod cell_calls;
 mod check;
 mod column;
 mod forms;
@@ -59,6 +60,7 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<shapes::Paths>()?;
     m.add_class::<polygons::Polygons>()?;
     m.add_class::<meshes::MeshCore>()?;
+    m.add_class::<cell_calls::CellsCore>()?;
     m.add_class::<overlay::Overlay>()?;
     m.add_class::<buffered::Buffer>()?;
     m.add_class::<symbol::Symbol>()?;

@@ -17,6 +17,7 @@ from . import _core, assignment, metric, suppression
 from ._core import WGSL, Program, Shape, Symbol, Truth, __version__, get_num_threads, set_num_threads
 from ._buffer import buffer
 from ._camera import sees
+from ._cells import Cells
 from ._check import Reports, check
 from . import _elementary
 from ._elementary import ELEMENTARY as _ELEMENTARY, clip, where
@@ -43,7 +44,7 @@ if hasattr(_os, "register_at_fork"):
 
 __all__ = sorted(
     [
-        "Clouds", "Function", "HullMeasure", "Mesh", "Paths", "Polygons", "Polylines", "Program", "Reports", "Rings", "Shape", "Symbol",
+        "Cells", "Clouds", "Function", "HullMeasure", "Mesh", "Paths", "Polygons", "Polylines", "Program", "Reports", "Rings", "Shape", "Symbol",
         "Truth", "Verb",
         "WGSL", "__version__", "assignment", "metric", "suppression",
         "buffer", "check", "clip", "contains", "convex_hull", "euler", "from_euler", "function", "get_num_threads", "hull_faces", "procrustes", "sees",

@@ -115,6 +115,39 @@ class Clouds(Paths):
     @classmethod
     def of(cls, clouds: Iterable[Any]) -> Clouds: ...
 
+class Cells:
+    """The cells of sites in a domain, by distance and weight."""
+    def __init__(self, sites: ArrayLike, weights: Optional[ArrayLike] = ..., *, domain: Any) -> None: ...
+    def __len__(self) -> int: ...
+    @property
+    def areas(self) -> Array:
+        """The area of each cell, of shape (N,)."""
+    @property
+    def centroids(self) -> Array:
+        """The centroid of each cell, of shape (N, 2)."""
+    @property
+    def first_moments(self) -> Array:
+        """The integral over each cell of the way from its site, of shape (N, 2)."""
+    @property
+    def second_moments(self) -> Array:
+        """The integral over each cell of the squared distance from its site, of shape (N,)."""
+    @property
+    def energy(self) -> float:
+        """The sum over cells of the integral of the squared distance from the site less its weight."""
+    @property
+    def hidden(self) -> Array:
+        """Whether each site has no cell."""
+    def neighbours(self, site: int) -> Array:
+        """The sites whose cells share a side with a site's cell."""
+    def rings(self, site: int) -> list[Array]:
+        """The rings of a cell, of shape (V, 2), counter-clockwise."""
+    def area_slopes(self) -> tuple[Array, Array, Array]:
+        """The derivatives of areas by weights: rows, columns, values."""
+    def areas_vjp(self, areas_bar: ArrayLike) -> tuple[Array, Array, Array]:
+        """Cotangents of sites, of weights and of the domain's vertices from those of the areas."""
+    def centroids_vjp(self, centroids_bar: ArrayLike) -> tuple[Array, Array, Array]:
+        """Cotangents of sites, of weights and of the domain's vertices from those of the centroids."""
+
 class Mesh:
     """A mesh of triangles, with a tree that is built once and serves all calls."""
     def __init__(self, vertices: Any, faces: Optional[ArrayLike] = ...) -> None: ...
