@@ -104,9 +104,18 @@ fn item<D: HintedSearch<In<<R as Pack>::Scalar> = R>, R: Item>(
     let (record, hints) = found;
     let result = D::Out::<R::Scalar>::LEN;
     if derivatives {
-        if let Some((value, bars)) = by_hand::<D, R>(input, &found, out_bar) {
+        // The cotangent of one number scales its gradient: both have the same bits but for this product.
+        let (own, scale) = match out_bar {
+            Some([bar]) => (None, Some(*bar)),
+            _ => (out_bar, None),
+        };
+        if let Some((value, bars)) = by_hand::<D, R>(input, &found, own) {
             value.store(out);
-            by_shape::<R>(&bars.scalars(), &input.codes(), &mut out[result..]);
+            let mut bars = bars.scalars();
+            if let Some(scale) = scale {
+                bars.iter_mut().for_each(|bar| *bar = *bar * scale);
+            }
+            by_shape::<R>(&bars, &input.codes(), &mut out[result..]);
             return;
         }
     }
