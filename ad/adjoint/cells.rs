@@ -94,9 +94,9 @@ pub fn moments_vjp<S: Scalar<Mask = bool>>(
         whole.first += own.first;
         whole.second += own.second;
     }
-    for i in 0..count {
+    for (i, &whole) in whole_bars.iter().enumerate() {
         if cells.trace.first(i) == i {
-            pull(cells, i, whole_bars[i], &mut bars);
+            pull(cells, i, whole, &mut bars);
         }
     }
     // Equal sites move their mean.
@@ -112,7 +112,7 @@ pub fn moments_vjp<S: Scalar<Mask = bool>>(
         if cells.counts[i] > 1 {
             let part = cells.part(i);
             bars.sites[i] = bars.sites[i] * part;
-            bars.weights[i] = bars.weights[i] * part;
+            bars.weights[i] *= part;
         }
     }
     bars

@@ -67,12 +67,12 @@ fn item_and_jacobian<D: HintedSearch<In<<R as Pack>::Scalar> = R>, R: Item>(
     let (record, hints) = found;
     let codes: Vec<u32> = input.codes();
     let result = D::Out::<R::Scalar>::LEN;
-    if result == 1 {
-        if let Some((value, bars)) = by_hand::<D, R>(input, &found, None) {
-            value.store(out);
-            by_shape::<R>(&bars.scalars(), &codes, &mut out[result..]);
-            return;
-        }
+    if result == 1
+        && let Some((value, bars)) = by_hand::<D, R>(input, &found, None)
+    {
+        value.store(out);
+        by_shape::<R>(&bars.scalars(), &codes, &mut out[result..]);
+        return;
     }
     let mut rows = vec![R::Scalar::default(); result * R::LEN];
     for places in places::<D>(&record).chunks(AT_A_TIME) {
@@ -113,7 +113,7 @@ fn item<D: HintedSearch<In<<R as Pack>::Scalar> = R>, R: Item>(
             value.store(out);
             let mut bars = bars.scalars();
             if let Some(scale) = scale {
-                bars.iter_mut().for_each(|bar| *bar = *bar * scale);
+                bars.iter_mut().for_each(|bar| *bar *= scale);
             }
             by_shape::<R>(&bars, &input.codes(), &mut out[result..]);
             return;

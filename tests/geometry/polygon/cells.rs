@@ -32,7 +32,7 @@ fn domains() -> Vec<Polygon<f64>> {
     let part = vec![[20, 0], [25, 10], [30, 0]];
     let turned: Vec<[i64; 2]> = square.iter().rev().copied().collect();
     vec![
-        on(&[square.clone()]),
+        on(std::slice::from_ref(&square)),
         on(&[notched]),
         on(&[square, hole.clone()]),
         on(&[turned, hole, part]),
