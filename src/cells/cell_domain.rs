@@ -2,9 +2,8 @@
 use super::cell_cutting::{Cutter, EDGE, Ring, bisector};
 use super::site_tree::Site;
 use super::{CellBorder, CellTrace};
-use crate::polygon::{EdgeBoxes, Fill, Polygon, Rings, Sides, Slabs};
-use crate::predicate::wide;
-use crate::{Scalar, Vec2};
+use crate::Vec2;
+use crate::polygon::{EdgeBoxes, Fill, Polygon, Sides, Slabs};
 
 /// A domain in numbers.
 pub(super) struct Domain {
@@ -20,13 +19,8 @@ pub(super) struct Domain {
 const BOUNDS: usize = usize::MAX;
 
 impl Domain {
-    pub fn new<S: Scalar<Mask = bool>>(rings: Rings<'_, S>) -> Self {
-        let mut all = Polygon::default();
-        for ring in rings.iter() {
-            let places = ring.iter().map(|v| wide(*v).unwrap_or([0.0; 2]));
-            all.push(places.map(|[x, y]| Vec2::new(x, y)));
-        }
-        let sides = Sides::decided(&all);
+    pub fn new(all: &Polygon<f64>) -> Self {
+        let sides = Sides::decided(all);
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for v in all.vertices() {
             for (k, x) in [v.x, v.y].into_iter().enumerate() {

@@ -4,7 +4,7 @@ use super::cell_domain::Domain;
 use super::site_tree::{Site, SiteTree, Waiting};
 use super::{CellTrace, PowerDiagram};
 use crate::predicate::wide;
-use crate::{Scalar, Vec2};
+use crate::{Polygon, Scalar, Vec2};
 
 /// Returns the first site at each one's place with its weight, and the sites that have cells of their own.
 fn welded(sites: &[Site]) -> (Vec<usize>, Vec<Site>) {
@@ -38,23 +38,28 @@ impl<S: Scalar<Mask = bool>> PowerDiagram<'_, S> {
     /// Finds what bounds each cell, in time in proportion to `n log n` for sites spread over the domain.
     #[must_use]
     pub fn search(&self) -> CellTrace {
-        searched(self)
+        let number = |x: S| wide(Vec2::new(x, S::zero())).map_or(0.0, |[x, _]| x);
+        let sites: Vec<Site> = (0..self.sites.len())
+            .map(|i| Site {
+                // Both zeros are one place.
+                place: wide(self.sites[i]).unwrap_or([0.0; 2]).map(|x| x + 0.0),
+                weight: self.weights.get(i).map_or(0.0, |&w| number(w)),
+                number: i,
+            })
+            .collect();
+        let mut rings = Polygon::default();
+        for ring in self.domain.iter() {
+            let places = ring.iter().map(|v| wide(*v).unwrap_or([0.0; 2]));
+            rings.push(places.map(|[x, y]| Vec2::new(x, y)));
+        }
+        searched(&sites, &Domain::new(&rings))
     }
 }
 
-fn searched<S: Scalar<Mask = bool>>(diagram: &PowerDiagram<'_, S>) -> CellTrace {
-    let number = |x: S| wide(Vec2::new(x, S::zero())).map_or(0.0, |[x, _]| x);
-    let sites: Vec<Site> = (0..diagram.sites.len())
-        .map(|i| Site {
-            // Both zeros are one place.
-            place: wide(diagram.sites[i]).unwrap_or([0.0; 2]).map(|x| x + 0.0),
-            weight: diagram.weights.get(i).map_or(0.0, |&w| number(w)),
-            number: i,
-        })
-        .collect();
-    let (first, own) = welded(&sites);
+/// Returns what bounds each cell. It knows plain numbers only, and so is compiled once.
+fn searched(sites: &[Site], domain: &Domain) -> CellTrace {
+    let (first, own) = welded(sites);
     let tree = SiteTree::new(own);
-    let domain = Domain::new(diagram.domain);
     // Cells in the order of the tree, whose sites need the same parts of memory, then in that of the sites.
     let mut found = CellTrace::default();
     let mut places = vec![0..0; sites.len()];
@@ -74,7 +79,7 @@ fn searched<S: Scalar<Mask = bool>>(diagram: &PowerDiagram<'_, S>) -> CellTrace 
                 reach
             });
         }
-        domain.finish(site, &mut cell, &sites, &mut cutter, &mut found);
+        domain.finish(site, &mut cell, sites, &mut cutter, &mut found);
         places[site.number] = from..found.rings.len();
     }
     let mut trace = CellTrace {
