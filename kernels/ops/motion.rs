@@ -38,7 +38,11 @@ macro_rules! motion_rows {
         $( motion_rows! { @rows [concat!($($title),+)] $Verb, $out, $jumps; $($name: $A, $B [$($N)?];)* } )*
         crate::kernels::ops::tables::listed! {
             names [$([$($(motion_rows!(@line $listed names [] $Verb, $name, $A, $B),)?)*]),*]
-            each |walk| { $($($(motion_rows!(@line $listed each [walk] $Verb, $name, $A, $B);)?)*)* }
+            each |walk| {
+                // The list has none of them yet.
+                let _ = &walk;
+                $($($(motion_rows!(@line $listed each [walk] $Verb, $name, $A, $B);)?)*)*
+            }
         }
     };
     (@line listed $what:ident $walk:tt $Verb:ident, $name:literal, Hull3, Hull3) => {
@@ -141,7 +145,7 @@ motion_rows! {
         "clearance_obb3s": Obb3, Obb3;
         "clearance_capsules": Capsule3, Capsule3;
         "clearance_sphere_obb3": Sphere, Obb3;
-        "clearance_capsule_obb3": Capsule3, Obb3 listed;
+        "clearance_capsule_obb3": Capsule3, Obb3;
         "clearance_round_boxes": RoundBox3, RoundBox3;
         "clearance_point_obb3": Vec3, Obb3;
         "clearance_hulls": Hull3, Hull3 [N];

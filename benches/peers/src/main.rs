@@ -8,12 +8,13 @@
 //!
 //! `-- --levels [--csv FILE]` prints a table of every level of vector instructions that the machine has, `-- --shapes
 //! [--csv FILE]` one of losses, boxes in space and quadrilaterals, `-- --suppress [--csv FILE]` one of suppression;
-//! `-- --space` distances in space next to parry3d; `-- --polygons` times distances of points from rings, and clipping;
+//! `-- --space` distances in space next to parry3d, `-- --meshes` queries of meshes; `-- --polygons` times distances of points from rings, and clipping;
 //! `-- --boolean` the overlap of polygons of any kind; `-- --paper FILE.svg [--csv FILE] [--backend cpu|gpu|auto]` times
 //! the IoU loss against the number of boxes
 //! and draws it, with the GPU's curves beside the CPU's (`--features gpu`).
 mod boolean;
 mod levels;
+mod meshes;
 mod paper;
 mod polygons;
 mod programs;
@@ -152,7 +153,7 @@ fn on_threads(threads: usize, run: impl FnOnce() + Send) {
 const HELP: &str = "\
 Usage: peers [--levels | --shapes | --suppress] [--csv FILE]
        peers --paper SVG [--csv FILE] [--backend cpu|gpu|auto]
-       peers --polygons | --boolean
+       peers --polygons | --boolean | --meshes
        peers --space [--pairs FILE]
 
 Without arguments: rotated boxes and rings next to other libraries. --paper draws the IoU loss against the
@@ -198,7 +199,13 @@ fn run(arguments: &[String], machine: &Machine) -> Result<(), Failure> {
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let known = matches!(
         words[..],
-        [] | ["--levels" | "--shapes" | "--suppress" | "--polygons" | "--boolean" | "--space"]
+        [] | ["--levels"
+            | "--shapes"
+            | "--suppress"
+            | "--polygons"
+            | "--boolean"
+            | "--space"
+            | "--meshes"]
             | ["--levels" | "--shapes" | "--suppress", "--csv", _]
             | ["--space", "--pairs", _]
             | ["--paper", _]
@@ -230,6 +237,7 @@ fn run(arguments: &[String], machine: &Machine) -> Result<(), Failure> {
         }
         ["--paper", picture] => write(picture, &paper::paper(machine).0)?,
         ["--polygons"] => polygons::polygons(),
+        ["--meshes"] => meshes::run(),
         ["--space"] => space::space(1_000_000),
         ["--space", "--pairs", file] => write(file, &space::pairs(10_000))?,
         ["--boolean"] => on_threads(1, boolean::polygons),

@@ -1461,30 +1461,6 @@ class Line3(Shape):
     @property
     def direction(self) -> Vec3: ...
 
-class Motion3(Shape):
-    """A motion from time 0 to 1 at constant velocity and turn: the centre of the turn at time 0, the way
-    of that centre, and the rotation vector of the whole turn.
-
-    An array whose last axis has its numbers, in this order:
-
-        center.x: coordinate
-        center.y: coordinate
-        center.z: coordinate
-        velocity.x: part of a direction
-        velocity.y: part of a direction
-        velocity.z: part of a direction
-        turn.x: part of a rotation vector in radians
-        turn.y: part of a rotation vector in radians
-        turn.z: part of a rotation vector in radians
-    """
-    def __init__(self, *numbers: Any, **named: Any) -> None: ...
-    @property
-    def center(self) -> Vec3: ...
-    @property
-    def velocity(self) -> Vec3: ...
-    @property
-    def turn(self) -> Vec3: ...
-
 class NuScenesBox(Shape):
     """A box of nuScenes: the centre, width, length, height, and the rotation as a quaternion (w, x, y, z)
     of any length; the direction of travel is its own x axis.
@@ -2562,20 +2538,6 @@ class _circumcircle(Verb):
     def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 circumcircle: _circumcircle
-
-class _clearance(Verb):
-    """The least signed distance of a capsule of space and a box of any orientation along their motions. Hulls have up to N vertices. Its time is of Clearance3.
-
-    Rows:
-        clearance(a: Capsule3, motion_of_a: Motion3, b: Obb3, motion_of_b: Motion3) -> number
-    """
-    @overload
-    def __call__(self, a: Capsule3, motion_of_a: Motion3, b: Obb3, motion_of_b: Motion3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
-
-clearance: _clearance
 
 class _closest_points(Verb):
     """The nearest points of two shapes. They jump where another feature becomes the nearest.

@@ -68,7 +68,7 @@ class Verb(Generic[_Result]):
         self, a: OnCard, b: OnCard, *, groups: Groups = ..., kind: Kind = ...
     ) -> tuple[Array, tuple[Array, Array]]: ...
 
-__all__ = ["adjoint", "adjoint_transposed", "alpha_iou", "angle", "area", "axes", "bhattacharyya", "bounding", "centroid", "ciou", "ciou_aabb", "ciou_fixed_weight", "ciou_hull", "ciou_rectangle", "circumcircle", "clearance", "closest_points", "convert", "corners", "crossing", "depth", "diameter", "diou", "diou_aabb", "diou_hull", "diou_rectangle", "distance", "eiou", "eiou_aabb", "eiou_hull", "eiou_rectangle", "farthest_distance", "first_hit", "flip_y", "from_6d", "from_rotation_vector", "from_twist", "giou", "giou_aabb", "giou_hull", "giou_rectangle", "height", "hull_area", "incircle", "inertia", "interpolate", "intersection_area", "intersection_length", "intersection_volume", "inverse", "iof", "iou", "iou_bev", "jeffreys", "kfiou", "kullback_leibler", "left_jacobian", "left_jacobian_inverse", "length", "length_inside", "meeting", "minimum_circle", "minimum_rectangle", "move", "nearest_rotation", "penetration", "perimeter", "planes", "probiou", "project", "retract", "right_jacobian", "right_jacobian_inverse", "rotation_vector", "second_moments", "separation_aware", "signed_area", "signed_distance", "slant", "span", "squared_angle", "squared_distance", "squared_wasserstein", "support", "surface", "tangent_to", "to_6d", "twist", "volume", "wasserstein", "width", "winding"]
+__all__ = ["adjoint", "adjoint_transposed", "alpha_iou", "angle", "area", "axes", "bhattacharyya", "bounding", "centroid", "ciou", "ciou_aabb", "ciou_fixed_weight", "ciou_hull", "ciou_rectangle", "circumcircle", "closest_points", "convert", "corners", "crossing", "depth", "diameter", "diou", "diou_aabb", "diou_hull", "diou_rectangle", "distance", "eiou", "eiou_aabb", "eiou_hull", "eiou_rectangle", "farthest_distance", "first_hit", "flip_y", "from_6d", "from_rotation_vector", "from_twist", "giou", "giou_aabb", "giou_hull", "giou_rectangle", "height", "hull_area", "incircle", "inertia", "interpolate", "intersection_area", "intersection_length", "intersection_volume", "inverse", "iof", "iou", "iou_bev", "jeffreys", "kfiou", "kullback_leibler", "left_jacobian", "left_jacobian_inverse", "length", "length_inside", "meeting", "minimum_circle", "minimum_rectangle", "move", "nearest_rotation", "penetration", "perimeter", "planes", "probiou", "project", "retract", "right_jacobian", "right_jacobian_inverse", "rotation_vector", "second_moments", "separation_aware", "signed_area", "signed_distance", "slant", "span", "squared_angle", "squared_distance", "squared_wasserstein", "support", "surface", "tangent_to", "to_6d", "twist", "volume", "wasserstein", "width", "winding"]
 
 adjoint: Verb[Any]
 adjoint_transposed: Verb[Any]
@@ -85,7 +85,6 @@ ciou_fixed_weight: Verb[Array]
 ciou_hull: Verb[Array]
 ciou_rectangle: Verb[Array]
 circumcircle: Verb[Array]
-clearance: Verb[Array]
 closest_points: Verb[Array]
 convert: Verb[Array]
 corners: Verb[Array]

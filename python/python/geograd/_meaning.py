@@ -72,8 +72,6 @@ SHAPES = {
     "Plane3": "The plane of all points p with normal . p = offset, and the half-space behind it; the normal has any length.",
     "Contact3": "How deep two shapes are in each other, and the direction of the shortest shift of the second one that parts them.",
     "PointPair3": "A point of each of two shapes of space.",
-    "Motion3": "A motion from time 0 to 1 at constant velocity and turn: the centre of the turn at time 0, the way of that "
-    "centre, and the rotation vector of the whole turn.",
     "Hit3": "The first point of a ray on the border of a shape of space, and the normal there, out of the shape.",
     "CommonLine3": "The line that two planes share.",
     "CommonPoint3": "The point that three planes share.",
