@@ -57,11 +57,18 @@ fn best_of_curved(a: &Body, b: &Body) -> f64 {
     let gap = |n: Vector| -b.reach(-n) - a.reach(n);
     let (of_a, of_b) = (a.points(), b.points());
     let between = of_a.iter().flat_map(|p| of_b.iter().map(|q| *q - *p));
-    let ways = a.ways.iter().chain(&b.ways).copied();
+    // The border of a half-space is normal to one of the directions without end.
+    let endless = a.endless.iter().chain(&b.endless);
+    let ways = a.ways.iter().chain(&b.ways).chain(endless).copied();
     let units = between.chain(ways).filter_map(unit);
     let signed = units.flat_map(|n| [n, -n]).map(|n| (gap(n), n));
     let first = signed.max_by(|p, q| p.0.total_cmp(&q.0));
     let mut best = first.unwrap_or((gap(Vec3::new(1.0, 0.0, 0.0)), Vec3::new(1.0, 0.0, 0.0)));
+    // One plane alone has a half-space on one of its sides.
+    let is_half_space = |own: &Body| own.endless.len() > 2;
+    if is_half_space(a) || is_half_space(b) {
+        return best.0;
+    }
     for _ in 0..2 {
         let found = best_near(a, b, best.1);
         if found.0 > best.0 {
