@@ -75,7 +75,7 @@ pub fn optimal(gains: &[f64], rows: usize, columns: usize) -> Result<Vec<(usize,
 ///
 /// # Errors
 ///
-/// Those of [`optimal`].
+/// See [`optimal`].
 ///
 /// ```
 /// use geograd::assignment::optimal_until;
@@ -159,7 +159,7 @@ pub fn largest(pairs: &[Pair<f64>]) -> Result<Vec<Pair<f64>>, Error> {
 ///
 /// # Errors
 ///
-/// Those of [`largest`].
+/// See [`largest`].
 ///
 /// ```
 /// use geograd::assignment::largest_until;

@@ -99,20 +99,13 @@ pub fn moments_vjp<S: Scalar<Mask = bool>>(
             pull(cells, i, whole, &mut bars);
         }
     }
-    // Equal sites move their mean.
+    // Equal sites move their mean. The first of them comes last, since the others read what it has.
     for i in (0..count).rev() {
         let first = cells.trace.first(i);
-        if first != i {
+        if cells.counts[first] > 1 {
             let part = cells.part(first);
             bars.sites[i] = bars.sites[first] * part;
             bars.weights[i] = bars.weights[first] * part;
-        }
-    }
-    for i in 0..count {
-        if cells.counts[i] > 1 {
-            let part = cells.part(i);
-            bars.sites[i] = bars.sites[i] * part;
-            bars.weights[i] *= part;
         }
     }
     bars

@@ -24,7 +24,7 @@ use crate::{Ray3, Vec3};
 pub struct FaceBars<Q> {
     /// The cotangent of the query.
     pub query: Q,
-    /// Those of the corners.
+    /// The cotangents of the corners.
     pub corners: [Vec3<f64>; 3],
 }
 

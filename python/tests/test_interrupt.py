@@ -46,7 +46,7 @@ PROGRAM = """
     zigzag = np.c_[np.cos(turn), np.where(np.arange(len(turn)) % 2, 9.0, -9.0)]
     ring = geograd.Rings(zigzag, [0, len(zigzag)])
     halves = [0, n // 2, n]
-    # What every row wants most is what all others want, so that each path is long.
+    # All rows want the same column most, so that each path is long.
     side = {side}
     gains = np.outer(np.linspace(1, 2, side), np.linspace(1, 2, side))
     frame = [0, side]

@@ -57,7 +57,7 @@ impl Cutter {
     /// line are on it, and kept by one of its sides only: then what both sides keep of an edge along it does not overlap.
     /// Returns `false` where nothing is cut.
     ///
-    /// Of a ring that is not convex the parts that are left hang together along the line (Sutherland and Hodgman,
+    /// The parts that are left of a ring that is not convex hang together along the line (Sutherland and Hodgman,
     /// 1974): sums over its sides are those of the parts.
     pub fn cut(
         &mut self,

@@ -33,7 +33,7 @@ impl<S: Scalar> CellMoments<S> {
 /// A side of a cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CellSide<S> {
-    /// What bounds the cell there.
+    /// The line that bounds the cell there.
     pub border: CellBorder,
     /// The side's start, with the cell on its left.
     pub from: Vec2<S>,

@@ -1,6 +1,6 @@
 //! The record of a diagram: what bounds each cell.
 
-/// What bounds a cell along one of its sides.
+/// The line that bounds a cell along one of its sides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum CellBorder {
     /// The bisector with another site.

@@ -18,7 +18,7 @@ pub(crate) struct CornerSlopes<S> {
     pub relation: Relation<S>,
     /// The derivatives by corners of the first shape.
     pub by_a: ByCorner<S>,
-    /// Those by corners of the second.
+    /// The derivatives by corners of the second shape.
     pub by_b: ByCorner<S>,
 }
 
