@@ -1,9 +1,10 @@
 //! Cells of sites in a polygon.
+use crate::polygon_calls::numbers;
 use crate::raised;
 use geograd::ad::adjoint::cells::{DiagramBars, centroids_vjp, moments_vjp};
 use geograd::cells::{CellMoments, CellTrace, Cells, PowerDiagram};
 use geograd::{Polygon, Rings, Vec2};
-use numpy::{PyArray1, PyArrayDyn, PyArrayMethods};
+use numpy::PyArray1;
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 
@@ -18,12 +19,8 @@ pub struct CellsCore {
     trace: CellTrace,
 }
 
-fn numbers(array: &Object<'_>) -> PyResult<Vec<f64>> {
-    let array = array.cast::<PyArrayDyn<f64>>()?.readonly();
-    Ok(array.as_slice()?.to_vec())
-}
 fn vectors(array: &Object<'_>) -> PyResult<Vec<Vec2<f64>>> {
-    let all = numbers(array)?;
+    let all = numbers::<f64>(array)?;
     let (all, _) = all.as_chunks::<2>();
     Ok(all.iter().map(|&[x, y]| Vec2::new(x, y)).collect())
 }

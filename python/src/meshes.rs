@@ -1,4 +1,5 @@
 //! Meshes of triangles with their trees.
+use crate::polygon_calls::numbers;
 use crate::raised;
 use crate::threads::on_threads;
 use geograd::Error;
@@ -32,11 +33,6 @@ fn vectors(array: &Object<'_>) -> PyResult<Vec<Vec3<f64>>> {
     let array = array.cast::<PyArrayDyn<f64>>()?.readonly();
     let (all, _) = array.as_slice()?.as_chunks::<3>();
     Ok(all.iter().map(|&[x, y, z]| Vec3::new(x, y, z)).collect())
-}
-
-fn numbers(array: &Object<'_>) -> PyResult<Vec<f64>> {
-    let array = array.cast::<PyArrayDyn<f64>>()?.readonly();
-    Ok(array.as_slice()?.to_vec())
 }
 
 fn whole(array: &Object<'_>) -> PyResult<Vec<i64>> {
