@@ -19,6 +19,7 @@ mod layout;
 mod nearest;
 mod polygon_fit;
 mod refine_detections;
+mod zoning;
 
 /// The program of an example. `cargo test` of the whole workspace builds it before it runs a test; a
 /// test builds nothing.
@@ -312,6 +313,7 @@ fn wrong_command_lines() {
         "polygon_fit",
         "layout",
         "arm_clearance",
+        "zoning",
     ] {
         let done = run(name, &at, "--help");
         assert_eq!(status(&done), 0);
