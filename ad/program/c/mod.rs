@@ -9,7 +9,7 @@ use super::record::graph_of;
 use super::recorded::Recorded;
 use super::source::{self, Dialect, expression, lines};
 use crate::Unrecordable;
-use crate::scalar::float::{REDUCED, sin_cos_reduced};
+use crate::scalar::float::{REDUCED, sin_cos_reduced, sin_cos_short};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::sync::LazyLock;
@@ -101,7 +101,7 @@ pub(crate) fn kernel(
          \x20   const long long row = (long long)blockIdx.x * blockDim.x + threadIdx.x;\n\
          \x20   {kind} x[{}], y[{}];\n\
          \x20   if (row >= count) {{\n        return;\n    }}\n\
-         \x20   const long long i = row / inner, j = row % inner;\n",
+         \x20   const long long i = inner == 1 ? row : row / inner, j = row - i * inner;\n",
         takes.max(1),
         results.max(1)
     );
@@ -152,11 +152,7 @@ fn body(
 ) {
     let (graph, outputs) = (&recorded.value.graph, &recorded.value.outputs);
     let (kind, takes, gives) = (type_of(graph.format), recorded.inputs, outputs.len());
-    // A kernel of CUDA calls either function: its compiler joins what they share.
-    let turned = match (language, graph.format) {
-        (Language::C, Format::F64) => turned(graph),
-        _ => BTreeMap::new(),
-    };
+    let turned = turned(graph);
     let mut code = String::new();
     for angle in turned.keys() {
         let _ = writeln!(code, "    double turned{angle}[2];");
@@ -207,25 +203,40 @@ fn body(
     }
 }
 
-/// Returns the angles that have a sine and a cosine, each with the first node of the two.
-fn turned(graph: &Graph) -> BTreeMap<Id, Id> {
-    let mut first = BTreeMap::new();
-    let mut both = BTreeMap::new();
-    for (id, &node) in (0..).zip(graph.nodes()) {
-        if let Node::Sin(angle) | Node::Cos(angle) = node {
-            match first.get(&angle) {
-                Some(&earlier) => _ = both.insert(angle, earlier),
-                None => _ = first.insert(angle, id),
-            }
-        }
+/// Returns the angle of a sine, a cosine, or a part of one, and its place in what `program_sin_cos` writes.
+fn angle_of(node: Node) -> Option<(Id, usize)> {
+    use Node::*;
+    match node {
+        Sin(angle) | SinHigh(angle) | SinLow(angle) => Some((angle, 0)),
+        Cos(angle) | CosHigh(angle) | CosLow(angle) => Some((angle, 1)),
+        _ => None,
     }
-    both
 }
 
-/// Returns the function of a sine and a cosine at once, which share most of their operations.
-fn sine_and_cosine() -> String {
+/// Returns the angles that have several sines, cosines, or parts of them, each with the first node of all.
+fn turned(graph: &Graph) -> BTreeMap<Id, Id> {
+    let mut first = BTreeMap::new();
+    let mut several = BTreeMap::new();
+    for (id, &node) in (0..).zip(graph.nodes()) {
+        let Some((angle, _)) = angle_of(node) else {
+            continue;
+        };
+        match first.get(&angle) {
+            Some(&earlier) => _ = several.insert(angle, earlier),
+            None => _ = first.insert(angle, id),
+        }
+    }
+    several
+}
+
+/// Returns the function of a sine and a cosine at once, which share most of their operations. Its branch for large angles
+/// keeps compilers from joining two calls.
+fn sine_and_cosine(format: Format) -> String {
     let recorded = graph_of(Format::F64, 1, &|x| {
-        let (sine, cosine) = sin_cos_reduced(x[0]);
+        let (sine, cosine) = match format {
+            Format::F32 => sin_cos_short(x[0]),
+            Format::F64 => sin_cos_reduced(x[0]),
+        };
         vec![sine, cosine]
     });
     let (graph, outputs) = match recorded {
@@ -269,7 +280,7 @@ fn prelude(language: Language, format: Format) -> &'static [Block] {
                 split(include_str!("wide.c")),
                 split(simple),
                 elementary::<C<'_>>(format),
-                vec![sine_and_cosine()],
+                vec![sine_and_cosine(format)],
                 split(parts),
             ];
             let blocks = texts.into_iter().flatten();
@@ -289,8 +300,27 @@ fn declared(line: &str) -> Option<&str> {
 struct C<'a> {
     format: Format,
     takes: &'a [&'a str],
-    /// The angles whose sine and cosine one call computes, each with the first node of the two.
+    /// The angles whose sines and cosines one call computes, each with the first node of all.
     turned: BTreeMap<Id, Id>,
+}
+
+impl C<'_> {
+    /// Returns a sine or a cosine in the format, or a part of it, from its 64 bits.
+    fn part_of(&self, node: Node, whole: &str) -> String {
+        let high = match self.format {
+            Format::F32 => format!("program_wide_high({whole})"),
+            Format::F64 => format!("program_high({whole})"),
+        };
+        let part = match node {
+            Node::SinHigh(_) | Node::CosHigh(_) => high,
+            Node::SinLow(_) | Node::CosLow(_) => format!("({whole} - {high})"),
+            _ => whole.to_owned(),
+        };
+        match self.format {
+            Format::F32 => format!("(float){part}"),
+            Format::F64 => part,
+        }
+    }
 }
 
 impl Functions for C<'_> {
@@ -378,14 +408,16 @@ impl Dialect for C<'_> {
         }
     }
     fn value(&self, id: usize, node: Node, known: &[String]) -> String {
+        if let Some((x, place)) = angle_of(node)
+            && let Some(&first) = self.turned.get(&x)
+        {
+            let own = self.part_of(node, &format!("turned{x}[{place}]"));
+            return match first as usize == id {
+                true => format!("(program_sin_cos({}, turned{x}), {own})", known[x as usize]),
+                false => own,
+            };
+        }
         match node {
-            Node::Sin(x) | Node::Cos(x) if self.turned.contains_key(&x) => {
-                let own = format!("turned{x}[{}]", u8::from(matches!(node, Node::Cos(_))));
-                match self.turned[&x] as usize == id {
-                    true => format!("(program_sin_cos({}, turned{x}), {own})", known[x as usize]),
-                    false => own,
-                }
-            }
             Node::Bool(truth) => u8::from(truth).to_string(),
             Node::Canonical(x) => format!("{} + {}", known[x as usize], self.shares()[0]),
             _ => expression(self, node, known),
