@@ -151,6 +151,24 @@ impl CellsCore {
             PyArray1::from_vec(py, values),
         ))
     }
+    /// Returns rows, columns and blocks, of nine numbers each, of the Hessian of the energy by x, y and weight of sites.
+    #[expect(clippy::type_complexity, reason = "three arrays")]
+    fn energy_hessian<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(
+        Bound<'py, PyArray1<i64>>,
+        Bound<'py, PyArray1<i64>>,
+        Bound<'py, PyArray1<f64>>,
+    )> {
+        let all = self.with(py, |cells| cells.energy_hessian())?;
+        let blocks = all.iter().flat_map(|own| own.2.into_iter().flatten());
+        Ok((
+            PyArray1::from_iter(py, all.iter().map(|own| own.0 as i64)),
+            PyArray1::from_iter(py, all.iter().map(|own| own.1 as i64)),
+            PyArray1::from_iter(py, blocks),
+        ))
+    }
     /// Returns whether each site has no cell.
     fn hidden<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<bool>> {
         let all = (0..self.sites.len()).map(|i| self.trace.is_hidden(i));

@@ -25,14 +25,26 @@ pub fn in_runs<R: Send>(
     work: usize,
     run: impl Fn(Range<usize>) -> R + Send + Sync,
 ) -> PyResult<Vec<R>> {
+    in_watched_runs(py, count, work, |own, _| run(own))
+}
+
+/// As [`in_runs`], for items that take long: a run stops early once it may.
+pub fn in_watched_runs<R: Send>(
+    py: Python<'_>,
+    count: usize,
+    work: usize,
+    run: impl Fn(Range<usize>, &Interruption) -> R + Send + Sync,
+) -> PyResult<Vec<R>> {
     let size = count.div_ceil(RUNS).max(16);
-    let of = |k: usize| run(k * size..((k + 1) * size).min(count));
     let runs = count.div_ceil(size);
     let work = work.max(count);
     let alone = get_num_threads()? == 1 || work <= FEW;
     on_threads(py, work, || {
         let interruption = Interruption::current();
-        let of = |k| (!interruption.is_due()).then(|| of(k));
+        let of = |k: usize| {
+            let own = k * size..((k + 1) * size).min(count);
+            (!interruption.is_due()).then(|| run(own, &interruption))
+        };
         match alone {
             true => (0..runs).filter_map(of).collect(),
             false => (0..runs).into_par_iter().filter_map(of).collect(),

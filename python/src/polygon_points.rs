@@ -1,5 +1,7 @@
 //! Points and polygons: distances, and what contains what.
-use crate::polygon_calls::{Bars, fill, in_format, in_runs, numbers, place, together};
+use crate::polygon_calls::{
+    Bars, fill, in_format, in_runs, in_watched_runs, numbers, place, together,
+};
 use crate::polygons::{Format, Polygons, rows, vectors};
 use crate::raised;
 use geograd::ad::adjoint::polygon as adjoint;
@@ -13,6 +15,8 @@ type Object<'py> = Bound<'py, PyAny>;
 
 /// The number of points from which the edges of one polygon are sorted.
 const MANY: usize = 32;
+/// The points between two looks at an interruption.
+const LOOK: usize = 64;
 
 /// The signed distance of points and polygons, negative inside, or with `is_of_area` the distance from what the border
 /// encloses; with cotangents of these those of points and vertices.
@@ -139,8 +143,10 @@ fn contained<'py, T: Format>(
         Some(_) => count,
         None => count.saturating_mul(mean + 1),
     };
-    let runs = in_runs(py, count, work, |run| {
-        let inside = run.map(|i| {
+    let runs = in_watched_runs(py, count, work, |run, interruption| {
+        // A point takes as long as there are edges at its height.
+        let until = run.take_while(|i| !i.is_multiple_of(LOOK) || !interruption.is_due());
+        let inside = until.map(|i| {
             let at = points[place(of_points, i)];
             let contains = || match &slabs {
                 Some(slabs) => slabs.contains(at, fill),

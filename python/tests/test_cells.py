@@ -56,6 +56,14 @@ def test_derivatives_are_those_of_differences():
     np.add.at(product, rows, values * bars[columns])
     moved = [geograd.Cells(sites, weights + by * bars, domain=domain).areas for by in (step, -step)]
     np.testing.assert_allclose(product, (moved[0] - moved[1]) / (2 * step), atol=1e-7)
+    rows, columns, blocks = cells.energy_hessian()
+    product, way = np.zeros((12, 3)), np.column_stack([ways, bars])
+    np.add.at(product, rows, np.einsum("kij,kj->ki", blocks, way[columns]))
+
+    def slopes(own):
+        return np.column_stack([-2 * own.first_moments, -own.areas])
+
+    np.testing.assert_allclose(product, (along(slopes, step) - along(slopes, -step)) / (2 * step), atol=1e-6)
 
 
 def test_newton_gives_wanted_areas():

@@ -143,6 +143,8 @@ class Cells:
         """The rings of a cell, of shape (V, 2), counter-clockwise."""
     def area_slopes(self) -> tuple[Array, Array, Array]:
         """The derivatives of areas by weights: rows, columns, values."""
+    def energy_hessian(self) -> tuple[Array, Array, Array]:
+        """The second derivatives of the energy by x, y and weight of sites: rows, columns, blocks."""
     def areas_vjp(self, areas_bar: ArrayLike) -> tuple[Array, Array, Array]:
         """Cotangents of sites, of weights and of the domain's vertices from those of the areas."""
     def centroids_vjp(self, centroids_bar: ArrayLike) -> tuple[Array, Array, Array]:

@@ -106,6 +106,12 @@ class Cells:
         rows that sum to zero: minus the Hessian of the dual of semi-discrete transport, for Newton's method."""
         return self._core.area_slopes()
 
+    def energy_hessian(self):
+        """The second derivatives of the energy as a sparse matrix of blocks: rows, columns, and blocks of shape (K, 3, 3), in the
+        order x, y, weight of a site. Sorted, symmetric up to roundings."""
+        rows, columns, blocks = self._core.energy_hessian()
+        return rows, columns, blocks.reshape(-1, 3, 3)
+
     def areas_vjp(self, areas_bar):
         """Cotangents of sites, of weights and of the domain's vertices from those of the areas."""
         bars = np.ascontiguousarray(areas_bar, np.float64)
