@@ -264,6 +264,21 @@ class HullMeasure:
     def value_grad(self, points: Any) -> tuple[Array, Array]:
         """The measure of every set, one number, and its gradient by its points."""
 
+class _Similarity:
+    __name__: str
+    def __call__(self, a: Any, b: Any) -> Array:
+        """The distance of every item."""
+    def vjp(self, a: Any, b: Any, upstream: ArrayLike) -> tuple[Array, Array]:
+        """Cotangents of the vertices of both columns, from those of the distances."""
+    def value_grad(self, a: Any, b: Any) -> tuple[Array, tuple[Array, Array]]:
+        """The distance of every item, and its gradients by the vertices of both columns."""
+
+hausdorff: _Similarity
+"""{hausdorff}"""
+
+frechet: _Similarity
+"""{frechet}"""
+
 def from_euler(order: str, angles: Any) -> Rotation3:
     """{from_euler}"""
 
@@ -534,7 +549,7 @@ def polygons(verb):
 
 
 def stubs():
-    of = {name: inspect.cleandoc(getattr(geograd, name).__doc__) for name in ("buffer", "union_area", "convex_hull", "procrustes", "euler", "from_euler")}
+    of = {name: inspect.cleandoc(getattr(geograd, name).__doc__) for name in ("buffer", "union_area", "convex_hull", "procrustes", "euler", "from_euler", "hausdorff", "frechet")}
     lines = [HEAD.format(doc=geograd.__doc__, **of, item=ITEM, kind="kind: Kind = ..., ").replace("Report = _core.Report\n", "")]
     for name, count in ELEMENTARY.items():
         symbolic = ["x: Symbol"] if count == 1 else ["a: Symbol, b: Union[Symbol, float]", "a: float, b: Symbol"]

@@ -155,6 +155,7 @@ pub mod ring;
 mod rule;
 pub mod scalar;
 pub mod shape;
+pub mod similarity;
 pub mod suppression;
 mod twofold;
 

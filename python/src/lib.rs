@@ -8,6 +8,7 @@ mod catalogue;
 mod cell_calls;
 mod check;
 mod column;
+mod far_pairs;
 mod forms;
 mod grouped;
 mod hulls;
@@ -95,6 +96,7 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_function(wrap_pyfunction!(polygon_points::polygon_contains, m)?)?;
     m.add_function(wrap_pyfunction!(hulls::hull_measure, m)?)?;
     m.add_function(wrap_pyfunction!(hulls::hull_faces, m)?)?;
+    m.add_function(wrap_pyfunction!(far_pairs::far_pairs, m)?)?;
     m.add_function(wrap_pyfunction!(separation::nearest_edges, m)?)?;
     m.add_function(wrap_pyfunction!(separation::polygons_apart, m)?)?;
     m.add_function(wrap_pyfunction!(separation::polygons_hold, m)?)?;

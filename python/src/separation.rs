@@ -16,11 +16,34 @@ type Object<'py> = Bound<'py, PyAny>;
 #[derive(FromPyObject)]
 pub struct EdgeColumn<'py>(Object<'py>, Object<'py>, Object<'py>);
 
+impl<'py> EdgeColumn<'py> {
+    pub fn vertices(&self) -> &Object<'py> {
+        &self.0
+    }
+}
+
 /// The numbers of such a column.
-struct EdgeLists<T> {
-    vertices: Vec<Vec2<T>>,
-    following: Vec<usize>,
+pub struct EdgeLists<T> {
+    pub vertices: Vec<Vec2<T>>,
+    pub following: Vec<usize>,
     ends: Vec<usize>,
+}
+
+/// Reads two columns, each of so many items or of one that stands for all.
+pub fn columns<T: Format>(
+    py: Python<'_>,
+    a: &EdgeColumn<'_>,
+    b: &EdgeColumn<'_>,
+    count: usize,
+) -> PyResult<[EdgeLists<T>; 2]> {
+    let both = [EdgeLists::<T>::new(py, a)?, EdgeLists::<T>::new(py, b)?];
+    match both.iter().find(|own| own.len() != count && own.len() != 1) {
+        None => Ok(both),
+        Some(own) => {
+            let why = format!("{} items where {count} are needed", own.len());
+            Err(PyIndexError::new_err(why))
+        }
+    }
 }
 
 impl<T: Format> EdgeLists<T> {
@@ -41,12 +64,16 @@ impl<T: Format> EdgeLists<T> {
             false => Err(PyIndexError::new_err("an edge without a vertex")),
         }
     }
-    fn len(&self) -> usize {
+    pub fn len(&self) -> usize {
         self.ends.len() - 1
     }
+    /// The places of an item's vertices.
+    pub fn places(&self, item: usize) -> Range<usize> {
+        self.ends[item]..self.ends[item + 1]
+    }
     fn edges(&self, item: usize) -> impl Iterator<Item = [Vec2<T>; 2]> {
-        let own = self.ends[item]..self.ends[item + 1];
-        own.map(|k| [self.vertices[k], self.vertices[self.following[k]]])
+        self.places(item)
+            .map(|k| [self.vertices[k], self.vertices[self.following[k]]])
     }
 }
 
@@ -59,7 +86,7 @@ pub fn nearest_edges<'py>(
     b: EdgeColumn<'py>,
     count: usize,
 ) -> PyResult<Object<'py>> {
-    let is_double = a.0.cast::<PyArrayDyn<f64>>().is_ok();
+    let is_double = a.vertices().cast::<PyArrayDyn<f64>>().is_ok();
     in_format!(is_double, nearest(py, &a, &b, count))
 }
 
@@ -69,11 +96,7 @@ fn nearest<'py, T: Format>(
     b: &EdgeColumn<'py>,
     count: usize,
 ) -> PyResult<Object<'py>> {
-    let both = [EdgeLists::<T>::new(py, a)?, EdgeLists::<T>::new(py, b)?];
-    if let Some(own) = both.iter().find(|own| own.len() != count && own.len() != 1) {
-        let why = format!("{} items where {count} are needed", own.len());
-        return Err(PyIndexError::new_err(why));
-    }
+    let both = columns::<T>(py, a, b, count)?;
     // One item that stands for all is sorted once.
     let shared = both
         .each_ref()

@@ -144,6 +144,69 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
         let both = self.boxes.last().zip(other.boxes.last());
         both.is_some_and(|(&a, &b)| squared_gap(a, b) <= 0.0)
     }
+    /// Returns the distance of a point from the nearest edge, and the first such edge; `None` where an edge is at most
+    /// `floor` away, or there are none. Edge `start` is looked at first; `left` is room for the search.
+    pub(crate) fn nearest_to(
+        &self,
+        point: Vec2<S>,
+        start: usize,
+        floor: S,
+        left: &mut Vec<(f64, Node)>,
+    ) -> Option<(S, usize)> {
+        let (&whole, place) = (self.boxes.last()?, around(&[[point; 2]]));
+        let slack = SLACK * S::format().epsilon() * spread(whole, place);
+        let of = |edge: usize| {
+            let [from, to] = self.edges[edge];
+            between(point, Segment2::new(from, to))
+        };
+        let bound = |found: S| {
+            let wide = found.widened().unwrap_or(f64::INFINITY);
+            beyond(wide * wide, slack)
+        };
+        let mut best = (of(start), start);
+        if best.0.at_most(floor) {
+            return None;
+        }
+        let mut limit = bound(best.0);
+        left.clear();
+        let top = Node {
+            level: self.levels.len() - 1,
+            place: 0,
+        };
+        left.push((0.0, top));
+        while let Some((gap, node)) = left.pop() {
+            if gap > limit {
+                continue;
+            }
+            if node.level > 0 {
+                let first = left.len();
+                for child in self.children(node) {
+                    let gap = squared_gap(self.at(child), place);
+                    if gap <= limit {
+                        left.push((gap, child));
+                    }
+                }
+                // The nearest one comes first.
+                left[first..].sort_by(|(one, _), (another, _)| another.total_cmp(one));
+                continue;
+            }
+            let own = node.place * FEW..self.edges.len().min((node.place + 1) * FEW);
+            for edge in own {
+                if squared_gap(around(&self.edges[edge..=edge]), place) > limit {
+                    continue;
+                }
+                let found = of(edge);
+                if found.at_most(floor) {
+                    return None;
+                }
+                if found.below(best.0) || found.equals(best.0) && edge < best.1 {
+                    best = (found, edge);
+                    limit = bound(found);
+                }
+            }
+        }
+        Some(best)
+    }
     /// Returns `true` if the box around an edge meets another box, borders included.
     pub(crate) fn may_touch(&self, other: [[f64; 2]; 2]) -> bool {
         let meets =
@@ -185,8 +248,8 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
 }
 
 /// A box: its level, and its place among those of the level.
-#[derive(Clone, Copy)]
-struct Node {
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Node {
     level: usize,
     place: usize,
 }

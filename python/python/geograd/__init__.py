@@ -27,6 +27,7 @@ from ._hulls import MEASURES as _OF_HULLS, HullMeasure, hull_faces
 from ._mesh import Mesh
 from ._points import convex_hull, procrustes
 from ._polygons import OVERLAYS as _OVERLAYS, Polygons, contains, union_area
+from ._similarity import frechet, hausdorff
 from ._shapes import CLASSES as _CLASSES, Clouds, Paths, Polylines, Rings
 from ._verbs import VERBS as _VERBS, Verb
 
@@ -47,7 +48,8 @@ __all__ = sorted(
         "Cells", "Clouds", "Function", "HullMeasure", "Mesh", "Paths", "Polygons", "Polylines", "Program", "Reports", "Rings", "Shape", "Symbol",
         "Truth", "Verb",
         "WGSL", "__version__", "assignment", "metric", "suppression",
-        "buffer", "check", "clip", "contains", "convex_hull", "euler", "from_euler", "function", "get_num_threads", "hull_faces", "procrustes", "sees",
+        "buffer", "check", "clip", "contains", "convex_hull", "euler", "frechet", "from_euler", "function", "get_num_threads", "hausdorff", "hull_faces",
+        "procrustes", "sees",
         "set_num_threads", "union_area", "where", *_ELEMENTARY, *_CLASSES, *_OF_HULLS, *_OVERLAYS, *_VERBS,
     ]
 )

@@ -272,6 +272,35 @@ class HullMeasure:
     def value_grad(self, points: Any) -> tuple[Array, Array]:
         """The measure of every set, one number, and its gradient by its points."""
 
+class _Similarity:
+    __name__: str
+    def __call__(self, a: Any, b: Any) -> Array:
+        """The distance of every item."""
+    def vjp(self, a: Any, b: Any, upstream: ArrayLike) -> tuple[Array, Array]:
+        """Cotangents of the vertices of both columns, from those of the distances."""
+    def value_grad(self, a: Any, b: Any) -> tuple[Array, tuple[Array, Array]]:
+        """The distance of every item, and its gradients by the vertices of both columns."""
+
+hausdorff: _Similarity
+"""Hausdorff's distance, as shapely's: the largest one of a vertex of either figure from the other's edges.
+
+A distance of two columns of figures of the plane, item by item: ``Polylines``, ``Rings``, ``Polygons``, lists of paths, or
+    shapely's geometries. One item stands for all. An item without vertices has the distance NaN and derivatives of zero.
+
+    Gradients are by all vertices, of their shape. The pair that decides has them all: a vertex, and the ends of an edge or
+    another vertex.
+    """
+
+frechet: _Similarity
+"""The discrete Fréchet distance, as shapely's: the shortest leash for walks along the vertices of both paths.
+
+A distance of two columns of figures of the plane, item by item: ``Polylines``, ``Rings``, ``Polygons``, lists of paths, or
+    shapely's geometries. One item stands for all. An item without vertices has the distance NaN and derivatives of zero.
+
+    Gradients are by all vertices, of their shape. The pair that decides has them all: a vertex, and the ends of an edge or
+    another vertex.
+    """
+
 def from_euler(order: str, angles: Any) -> Rotation3:
     """The rotations of three angles in radians about the axes that the order names, each an axis of the body as the turns
 before have left it: ``"ZYX"`` takes yaw, pitch, roll. SciPy has the same capital letters.

@@ -9,6 +9,7 @@ mod cells;
 mod cut;
 pub mod exact;
 mod iou;
+mod leashes;
 mod nearest_edges;
 #[cfg(feature = "boolean")]
 mod offset_peers;
