@@ -7,16 +7,21 @@ mod arm;
 mod arm_clearance;
 #[path = "../../examples/refine_detections/assign.rs"]
 mod assign;
+#[path = "../../examples/peg_in_hole/bodies.rs"]
+mod bodies;
 mod calibrate;
 mod custom_shape;
 mod embedded;
 mod first;
 #[cfg(feature = "gpu")]
 mod gpu_batch;
+#[path = "../../examples/peg_in_hole/insertion.rs"]
+mod insertion;
 mod iou_csv;
 mod layout;
 #[path = "../../examples/arm_clearance/nearest.rs"]
 mod nearest;
+mod peg_in_hole;
 mod polygon_fit;
 mod refine_detections;
 mod zoning;

@@ -8,7 +8,7 @@
 //!
 //! `-- --levels [--csv FILE]` prints a table of every level of vector instructions that the machine has, `-- --shapes
 //! [--csv FILE]` one of losses, boxes in space and quadrilaterals, `-- --suppress [--csv FILE]` one of suppression;
-//! `-- --space` distances in space next to parry3d, `-- --meshes` queries of meshes; `-- --polygons` times distances of points from rings, and clipping;
+//! `-- --space` distances in space next to parry3d, `-- --planner` an arm among boxes, `-- --meshes` queries of meshes; `-- --polygons` times distances of points from rings, and clipping;
 //! `-- --boolean` the overlap of polygons of any kind; `-- --paper FILE.svg [--csv FILE] [--backend cpu|gpu|auto]` times
 //! the IoU loss against the number of boxes
 //! and draws it, with the GPU's curves beside the CPU's (`--features gpu`).
@@ -16,6 +16,7 @@ mod boolean;
 mod levels;
 mod meshes;
 mod paper;
+mod planner;
 mod polygons;
 mod programs;
 mod shapes;
@@ -155,6 +156,7 @@ Usage: peers [--levels | --shapes | --suppress] [--csv FILE]
        peers --paper SVG [--csv FILE] [--backend cpu|gpu|auto]
        peers --polygons | --boolean | --meshes
        peers --space [--pairs FILE]
+       peers --planner
 
 Without arguments: rotated boxes and rings next to other libraries. --paper draws the IoU loss against the
 number of boxes; --backend gpu adds a GPU's curves and needs a build with `--features gpu`, auto adds them
@@ -205,6 +207,7 @@ fn run(arguments: &[String], machine: &Machine) -> Result<(), Failure> {
             | "--polygons"
             | "--boolean"
             | "--space"
+            | "--planner"
             | "--meshes"]
             | ["--levels" | "--shapes" | "--suppress", "--csv", _]
             | ["--space", "--pairs", _]
@@ -240,6 +243,7 @@ fn run(arguments: &[String], machine: &Machine) -> Result<(), Failure> {
         ["--meshes"] => meshes::run(),
         ["--space"] => space::space(1_000_000),
         ["--space", "--pairs", file] => write(file, &space::pairs(10_000))?,
+        ["--planner"] => planner::planner(),
         ["--boolean"] => on_threads(1, boolean::polygons),
         ["--suppress"] => drop(suppress::suppress()),
         ["--suppress", "--csv", file] => write(file, &suppress::suppress())?,

@@ -278,6 +278,43 @@ macro_rules! in_format {
                     );
                 }
             }
+            /// Counts values of hard boxes as hulls of their corners that are wrong by more than the format explains;
+            /// parry's are its contacts. A hull that parry refuses counts as wrong.
+            pub fn wrong_hulls(count: usize) {
+                let mut random = Random(0xdead_beef_dead_beef);
+                for (family, name) in FAMILIES.iter().enumerate() {
+                    let size = if family == 6 { 4e6 } else { 4.0 };
+                    let (mut wrong, mut most) = ([0; 2], [0.0_f64; 2]);
+                    for _ in 0..count / FAMILIES.len() {
+                        let (a, b) = (random.solid(family), random.solid(family));
+                        let truth = oracle::boxes(&boxed(&a), &boxed(&b));
+                        let [a, b] = [a, b].map(|solid| {
+                            Hull3::<$T, 8>::from(solid.corners().map(|corner| corner.cast()))
+                        });
+                        let corners = |hull: &Hull3<$T, 8>| hull.vertices.map(vector).to_vec();
+                        let [p, q] =
+                            [&a, &b].map(|hull| ConvexPolyhedron::from_convex_hull(&corners(hull)));
+                        let theirs = p.zip(q).and_then(|(p, q)| {
+                            let still = Pose::IDENTITY;
+                            query::contact(&still, &p, &still, &q, 1e8).ok().flatten()
+                        });
+                        let theirs = theirs.map_or($T::NAN, |contact| contact.dist);
+                        for (k, found) in [a.signed_distance(b), theirs].into_iter().enumerate() {
+                            let error = (f64::from(found) - truth).abs() / size;
+                            most[k] = if error <= most[k] { most[k] } else { error };
+                            wrong[k] += usize::from(error.is_nan() || error > $error);
+                        }
+                    }
+                    println!(
+                        "| {}, {name} | {} | {:.1e} | {} | {:.1e} |",
+                        stringify!($T),
+                        wrong[0],
+                        most[0],
+                        wrong[1],
+                        most[1]
+                    );
+                }
+            }
             /// Counts values of hard pairs that are wrong by more than the format explains.
             pub fn wrong(count: usize) {
                 let mut random = Random(0xdead_beef_dead_beef);
@@ -311,13 +348,20 @@ macro_rules! in_format {
 in_format! { single, f32, parry3d, 1e-6 }
 in_format! { double, f64, parry3d_f64, 1e-12 }
 
-/// Rates on one thread, then wrong values of so many hard pairs of boxes.
+/// Rates on one thread, then wrong values of so many hard pairs of boxes, and of a tenth of them as hulls.
 pub fn space(count: usize) {
     println!("\n| {PAIRS} aligned pairs, one thread | ns a pair |\n| --- | ---: |");
     on_threads(1, || {
         single::rates();
         double::rates();
     });
+    let hulls = count / 10;
+    println!(
+        "\n| boxes as hulls, {hulls} hard pairs | geograd wrong | largest error over the size | parry wrong | largest |\n\
+         | --- | ---: | ---: | ---: | ---: |"
+    );
+    single::wrong_hulls(hulls);
+    double::wrong_hulls(hulls);
     println!(
         "\n| boxes, {count} hard pairs | geograd wrong | largest error over the size | parry wrong | largest |\n\
          | --- | ---: | ---: | ---: | ---: |"
