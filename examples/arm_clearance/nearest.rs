@@ -1,7 +1,7 @@
 //! The derivative of a clearance as that of the nearest pairs alone.
 //!
-//! Searches for the least of many distances differentiate the least ones alone; a pull-back through the joints gives the
-//! rest. That takes a fifth of the time of all pairs as one recorded function and a search of its own in its results.
+//! Searches for the least of many distances differentiate the least ones; a pull-back through the joints gives the rest.
+//! The distances of all pairs as one recorded function take five times as long.
 use crate::arm::{Joints, Solids, scene, solids};
 use geograd::kernels::verbs::SignedDistance;
 use geograd::kernels::{Cpu, Function, One, Single, function};
