@@ -220,14 +220,24 @@ pub(crate) fn get<P: Fixed<Scalar: Real>>(numbers: &[P::Scalar]) -> P {
     if const { P::CODES == 0 } {
         return shape;
     }
-    shape.load_codes(&codes_of(&numbers[P::LEN..width::<P>()]))
+    let (mut few, mut many) = ([0; FEW_CODES], Vec::new());
+    let codes = few.get_mut(..P::CODES).unwrap_or_else(|| {
+        many.resize(P::CODES, 0);
+        &mut many
+    });
+    for (code, &x) in codes.iter_mut().zip(&numbers[P::LEN..]) {
+        *code = code_of(x);
+    }
+    shape.load_codes(codes)
 }
 
-/// Returns the codes that a column's numbers stand for.
-fn codes_of<T: Real>(numbers: &[T]) -> Vec<u32> {
+/// The number of codes up to which they need no list on the heap.
+const FEW_CODES: usize = 8;
+
+/// Returns the code that a column's number stands for.
+fn code_of<T: Real>(x: T) -> u32 {
     // Via `i64`, since columns have codes of either sign.
-    let code = |&x: &T| x.widen() as i64 as u32;
-    numbers.iter().map(code).collect()
+    x.widen() as i64 as u32
 }
 
 /// Returns a code as a number of a column. Signed integers keep their sign, so that `f32` is exact from −2²⁴ to 2²⁴.
@@ -239,7 +249,13 @@ fn number_of_code<T: Real>(code: u32) -> T {
 pub(crate) fn put<P: Fixed<Scalar: Real>>(shape: P, numbers: &mut [P::Scalar]) {
     shape.store(numbers);
     if const { P::CODES > 0 } {
-        for (x, code) in numbers[P::LEN..].iter_mut().zip(shape.codes()) {
+        let (mut few, mut many) = ([0; FEW_CODES], Vec::new());
+        let codes = few.get_mut(..P::CODES).unwrap_or_else(|| {
+            many.resize(P::CODES, 0);
+            &mut many
+        });
+        shape.store_codes(codes);
+        for (x, &mut code) in numbers[P::LEN..].iter_mut().zip(codes) {
             *x = number_of_code(code);
         }
     }
@@ -251,17 +267,16 @@ pub(crate) fn by_kind<R: Item>(numbers: &[R::Scalar]) -> Vec<R::Scalar> {
     if const { R::CODES == 0 } {
         return numbers.to_vec();
     }
-    let (mut scalars, mut codes) = (Vec::with_capacity(numbers.len()), Vec::new());
-    let mut rest = numbers;
+    let mut all = numbers.to_vec();
+    let (mut rest, mut scalar, mut code) = (numbers, 0, R::LEN);
     R::leaves(&mut |leaf| {
         let (own, others) = rest.split_at(leaf.fields);
         let (own, own_codes) = own.split_at(leaf.fields - leaf.codes);
-        scalars.extend_from_slice(own);
-        codes.extend_from_slice(own_codes);
-        rest = others;
+        all[scalar..][..own.len()].copy_from_slice(own);
+        all[code..][..own_codes.len()].copy_from_slice(own_codes);
+        (scalar, code, rest) = (scalar + own.len(), code + own_codes.len(), others);
     });
-    scalars.extend(codes);
-    scalars
+    all
 }
 
 /// Writes scalars and codes shape by shape, the inverse of [`by_kind`].

@@ -39,8 +39,8 @@ impl PointColumns {
     /// Returns a point by its number.
     #[inline]
     pub fn point(&self, k: usize) -> Vec3<f64> {
-        let [x, y, z] = self.groups[k / LANES].map(|column| column[k % LANES]);
-        Vec3::new(x, y, z)
+        let ([x, y, z], lane) = (&self.groups[k / LANES], k % LANES);
+        Vec3::new(x[lane], y[lane], z[lane])
     }
     /// Returns the number of the first of the highest points along a direction, and the point.
     #[inline]
@@ -89,7 +89,8 @@ impl PointColumns {
                 }
             }
         }
-        let [x, y, z] = sums.map(|lanes| lanes.iter().sum::<f64>());
-        Vec3::new(x, y, z) * (1.0 / (self.groups.len() * LANES) as f64)
+        let sum = |lanes: &[f64; LANES]| lanes.iter().sum::<f64>();
+        Vec3::new(sum(&sums[0]), sum(&sums[1]), sum(&sums[2]))
+            * (1.0 / (self.groups.len() * LANES) as f64)
     }
 }
