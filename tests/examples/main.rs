@@ -319,6 +319,7 @@ fn wrong_command_lines() {
         "layout",
         "arm_clearance",
         "zoning",
+        "peg_in_hole",
     ] {
         let done = run(name, &at, "--help");
         assert_eq!(status(&done), 0);
