@@ -208,6 +208,32 @@ fn derivatives_up_to_the_second_are_those_of_all_faces() {
     }
 }
 
+#[test]
+fn derivatives_along_moves_of_vertices_are_those_of_all_faces() {
+    let (owned, mut random) = (holed(), Random(0x0a11_5eed_0000_0008));
+    let border = MeshBorder::new(&owned.mesh());
+    let mut moving = |v: Vec3<f64>| {
+        let way = random.vector(1.0);
+        let [x, y, z] = [(v.x, way.x), (v.y, way.y), (v.z, way.z)].map(|(value, slope)| Jet {
+            value,
+            derivative: [slope],
+        });
+        Vec3::new(x, y, z)
+    };
+    let vertices: Vec<_> = owned.vertices.iter().map(|&v| moving(v)).collect();
+    let mesh = Mesh::new(&vertices, &owned.faces).unwrap();
+    let tree = MeshTree::new(&mesh);
+    let surface = tree.on(&mesh).unwrap();
+    let wound = border.of(&surface).unwrap();
+    for k in 0..20 {
+        let point = moving(Vec3::new(0.1 * f64::from(k) - 1.0, 0.3, 0.2));
+        let found = wound.winding_number(point).derivative[0];
+        let expected = brute(&vertices, &owned.faces, point).derivative[0];
+        let size = 1.0 + expected.abs();
+        assert!((found - expected).abs() < 1e-9 * size, "{found} {expected}");
+    }
+}
+
 type Second = Jet<Jet<f64, 5>, 5>;
 
 fn bars_of(
