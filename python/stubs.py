@@ -173,8 +173,33 @@ class Mesh:
         """The distance of each point, at least 0."""
     def squared_distance(self, points: ArrayLike) -> Array:
         """The squared distance of each point."""
-    def signed_distance(self, points: ArrayLike) -> Array:
-        """The distance of each point, negative inside. The mesh must be closed: each edge has two faces, in opposite directions."""
+    def signed_distance(self, points: ArrayLike, *, winding: bool = ...) -> Array:
+        """The distance of each point, negative inside. The mesh must be closed: each edge has two faces, in opposite directions.
+
+        With ``winding`` any mesh will do: inside is where its winding number is above ½. The sign then jumps in holes.
+        """
+    def winding_number(self, points: ArrayLike) -> Array:
+        """How often the mesh goes around each point: 1 inside a closed mesh and 0 outside, the mean of both on a face."""
+    @property
+    def edges(self) -> Array:
+        """The edges of all faces, each once, of shape (E, 2)."""
+    @property
+    def hinges(self) -> Array:
+        """The edges of two faces, of shape (H, 4): start, end, and the third corners of both faces."""
+    def area(self) -> float:
+        """The area of all faces."""
+    def volume(self) -> float:
+        """The volume inside a closed mesh, negative where faces look inward."""
+    def centroid(self) -> Array:
+        """The centroid of the volume inside a closed mesh."""
+    def energy(self, kind: str, constants: Optional[ArrayLike] = ..., elements: Optional[ArrayLike] = ...) -> float:
+        """A measure or an energy: ``"area"``, ``"volume"``, ``"dirichlet"``, ``"springs"`` or ``"bending"``."""
+    def slopes(self, kind: str, constants: Optional[ArrayLike] = ..., elements: Optional[ArrayLike] = ...) -> Array:
+        """The derivatives of an energy by the vertices, of shape (V, 3)."""
+    def hessian(self, kind: str, constants: Optional[ArrayLike] = ..., elements: Optional[ArrayLike] = ...) -> tuple[Array, Array, Array]:
+        """The second derivatives of an energy by the 3 V numbers of the vertices: rows, columns and values of a sparse matrix."""
+    def laplacian(self) -> tuple[Array, Array, Array]:
+        """The cotangent Laplacian, positive semidefinite: rows, columns and values of a sparse matrix with one row per vertex."""
     def closest(self, points: ArrayLike) -> tuple[Array, Array]:
         """The nearest point of the mesh for each point, and the index of its face."""
     def rays(self, starts: ArrayLike, directions: ArrayLike) -> tuple[Array, Array]:
@@ -182,6 +207,30 @@ class Mesh:
 
         A ray that misses has the parameter inf and the face -1.
         """
+
+class Cloud:
+    """Points of space with a tree that is built once and serves all calls."""
+    def __init__(self, points: ArrayLike) -> None: ...
+    @property
+    def points(self) -> Array:
+        """The points, of shape (P, 3)."""
+    def __len__(self) -> int: ...
+    def nearest(self, queries: ArrayLike) -> Array:
+        """The index of the point that is nearest to each query."""
+    def distance(self, queries: ArrayLike) -> Array:
+        """The distance of each query from its nearest point."""
+    def squared_distance(self, queries: ArrayLike) -> Array:
+        """The squared distance of each query from its nearest point."""
+    def nearest_some(self, queries: ArrayLike, count: int) -> tuple[Array, Array]:
+        """The indices of so many points that are nearest to each query, and their distances, in the order of these."""
+    def within(self, queries: ArrayLike, radius: float) -> tuple[Array, Array]:
+        """The indices of the points within a radius of each query, one query after another, and where each query starts."""
+    def chamfer(self, other: Cloud, *, squared: bool = ...) -> float:
+        """The mean squared distance of these points from the other cloud, plus that of the other cloud's points from this one."""
+    def hausdorff(self, other: Cloud) -> tuple[float, int, int]:
+        """The largest distance of a point of either cloud from the other one, and the pair that decides it: a point of each."""
+    def f_score(self, other: Cloud, threshold: float) -> float:
+        """The harmonic mean of the shares of both clouds that are as near to the other one."""
 
 class Polygons:
     """A column of polygons, each of parts with holes."""

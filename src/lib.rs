@@ -32,7 +32,8 @@
 //! | replace a call of another detection library | [`detection`] |
 //! | measure distances, closest points and penetration of shapes in space | [`distance3`] |
 //! | cast rays in space, cut segments | [`intersection3`] |
-//! | measure distances from meshes of triangles, cast rays at them | [`mesh`] |
+//! | measure distances from meshes of triangles, cast rays at them, wind around them | [`mesh`] |
+//! | find the nearest points of a cloud | [`cloud`] |
 //! | find when moving bodies meet, and how near they come | [`motion`] |
 //! | find the boxes that contain points | [`kernels::points`] |
 //! | score boxes that may be apart: GIoU, DIoU, CIoU and the like | [`iou`] |
@@ -117,6 +118,7 @@ pub mod camera;
 pub mod cells;
 pub mod clip;
 pub mod clipping;
+pub mod cloud;
 pub mod contain;
 pub mod convention;
 #[doc(hidden)]

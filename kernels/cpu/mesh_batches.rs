@@ -38,7 +38,7 @@ use crate::kernels::cpu::work::{in_parallel, rows_per_piece};
 use crate::kernels::row::item::counts::expect;
 use crate::kernels::row::item::rows::numbers;
 use crate::mesh::{
-    ClosedMesh, FaceFeature, FaceRecord, Mesh, MeshHit, MeshSurface, closest_replay,
+    ClosedMesh, FaceFeature, FaceRecord, Mesh, MeshBorder, MeshHit, MeshSurface, closest_replay,
     distance_replay, plain, plain_ray, squared_distance_replay,
 };
 use crate::{Ray3, Real, Vec3};
@@ -53,6 +53,9 @@ pub enum MeshDistance<'a> {
     Squared,
     /// The [signed distance](MeshSurface::signed_distance), negative inside a closed mesh: of the faces of the surface.
     Signed(&'a ClosedMesh),
+    /// The [distance](crate::mesh::WoundSurface::signed_distance) that is negative where the winding number is above ½:
+    /// of the border of the surface.
+    Wound(&'a MeshBorder),
 }
 
 /// Cotangents of queries and of the vertices of a mesh.
@@ -129,7 +132,7 @@ impl Cpu {
     ///
     /// # Errors
     ///
-    /// As [`closest_points`](Cpu::closest_points).
+    /// As [`closest_points`](Cpu::closest_points), and [`Error::Invalid`] for a border of another mesh.
     pub fn mesh_distances<T: Real>(
         &self,
         kind: MeshDistance<'_>,
@@ -138,6 +141,7 @@ impl Cpu {
         records: &[FaceRecord],
     ) -> Result<Vec<T>, Error> {
         check_records(surface, points, records)?;
+        check_border(kind, surface)?;
         let mesh = surface.mesh();
         Ok(each(points.len(), T::zero(), |i| {
             let FaceRecord { face, feature } = records[i];
@@ -146,6 +150,13 @@ impl Cpu {
                 MeshDistance::Plain => distance_replay(point, triangle, feature),
                 MeshDistance::Squared => squared_distance_replay(point, triangle, feature),
                 MeshDistance::Signed(closed) => surface.signed_replay(closed, point, records[i]),
+                MeshDistance::Wound(border) => {
+                    let distance = distance_replay(point, triangle, feature);
+                    match is_wound(border, surface, point) {
+                        true => -distance,
+                        false => distance,
+                    }
+                }
             }
         }))
     }
@@ -167,6 +178,7 @@ impl Cpu {
         check_records(surface, points, records)?;
         expect(Argument::Upstream, points.len(), upstream.len())?;
         check_upstream(upstream, 1)?;
+        check_border(kind, surface)?;
         let mesh = surface.mesh();
         let of = |i: usize| {
             let FaceRecord { face, feature } = records[i];
@@ -184,6 +196,11 @@ impl Cpu {
                         return height_vjp(point, triangle, bar);
                     }
                     let is_inside = surface.is_inside(closed, points[i], records[i]);
+                    let bar = if is_inside { -bar } else { bar };
+                    distance_vjp(point, triangle, feature, bar)
+                }
+                MeshDistance::Wound(border) => {
+                    let is_inside = is_wound(border, surface, points[i]);
                     let bar = if is_inside { -bar } else { bar };
                     distance_vjp(point, triangle, feature, bar)
                 }
@@ -264,8 +281,25 @@ impl Cpu {
     }
 }
 
+/// Returns `true` where a mesh goes around a point; its border has been checked.
+fn is_wound<T: Real>(border: &MeshBorder, surface: &MeshSurface<'_, T>, point: Vec3<T>) -> bool {
+    border.of(surface).is_ok_and(|wound| wound.is_inside(point))
+}
+
+fn check_border<T: Real>(
+    kind: MeshDistance<'_>,
+    surface: &MeshSurface<'_, T>,
+) -> Result<(), Error> {
+    match kind {
+        MeshDistance::Wound(border) if border.of(surface).is_err() => {
+            Err(unknown("border", 0, "is of another mesh"))
+        }
+        _ => Ok(()),
+    }
+}
+
 /// Checks queries, each by its own rules.
-fn check<Q: Validate>(name: &'static str, queries: &[Q]) -> Result<(), Error> {
+pub(super) fn check<Q: Validate>(name: &'static str, queries: &[Q]) -> Result<(), Error> {
     Simd::current()?;
     if queries.len() > u32::MAX as usize {
         return Err(Error::TooLarge);
@@ -330,7 +364,11 @@ fn check_faces<T: Real>(
 }
 
 /// Returns the results of all items, computed on all threads.
-fn each<R: Copy + Send>(count: usize, none: R, of: impl Fn(usize) -> R + Send + Sync) -> Vec<R> {
+pub(super) fn each<R: Clone + Send>(
+    count: usize,
+    none: R,
+    of: impl Fn(usize) -> R + Send + Sync,
+) -> Vec<R> {
     let mut all = vec![none; count];
     let piece = rows_per_piece(count);
     let work = all.chunks_mut(piece).enumerate().collect();
@@ -343,7 +381,7 @@ fn each<R: Copy + Send>(count: usize, none: R, of: impl Fn(usize) -> R + Send + 
 }
 
 /// Returns a vector in another format.
-fn rounded<T: Real>(v: Vec3<f64>) -> Vec3<T> {
+pub(super) fn rounded<T: Real>(v: Vec3<f64>) -> Vec3<T> {
     Vec3::new(T::nearest(v.x), T::nearest(v.y), T::nearest(v.z))
 }
 

@@ -39,7 +39,8 @@
 //! are computed first, and then those whose bound is not above the least result.
 //!
 //! *Meshes.* `mesh_searches` finds the nearest faces of points and the first ones of rays by
-//! trees of eight; `mesh_batches` replays them, with derivatives for points, rays and vertices.
+//! trees of eight; `mesh_batches` replays them, with derivatives for points, rays and vertices. `mesh_windings` has
+//! winding numbers, `mesh_energies` measures and energies, `cloud_batches` clouds of points.
 //!
 //! *Same bits.* The cut into pieces does not depend on the number of threads, and sums are added in a fixed order. So
 //! bits never depend on level, position, threads or filter.
@@ -54,6 +55,7 @@ pub(crate) mod arch;
 mod blocks;
 mod boxes3;
 pub(crate) mod checked;
+pub mod cloud_batches;
 pub(crate) mod folds;
 pub(crate) mod formats;
 pub(crate) mod greedy;
@@ -66,8 +68,10 @@ mod maker;
 pub(crate) mod matches;
 pub(crate) mod matrix;
 pub mod mesh_batches;
+pub mod mesh_energies;
 mod mesh_orders;
 mod mesh_searches;
+mod mesh_windings;
 pub(crate) mod nearest;
 mod overlaps;
 pub(crate) mod pairs;

@@ -1,4 +1,7 @@
 //! Meshes of triangles with their trees.
+use crate::mesh_arrays::{
+    coded, hit_faces, in_space, rays, records, rows, triples, vectors, whole,
+};
 use crate::polygon_calls::numbers;
 use crate::raised;
 use crate::threads::on_threads;
@@ -6,9 +9,11 @@ use geograd::Error;
 use geograd::kernels::Cpu;
 use geograd::kernels::cpu::mesh_batches::MeshDistance;
 use geograd::mesh::Mesh as Columns;
-use geograd::mesh::{ClosedMesh, FaceFeature, FaceRecord, MeshFault, MeshSurface, MeshTree};
+use geograd::mesh::{
+    ClosedMesh, FaceRecord, MeshBorder, MeshEnergy, MeshFault, MeshSurface, MeshTree, WoundSurface,
+};
 use geograd::{Ray3, Vec3};
-use numpy::{PyArray1, PyArrayDyn, PyArrayMethods};
+use numpy::PyArray1;
 use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::prelude::*;
 use std::sync::{Arc, OnceLock};
@@ -22,80 +27,11 @@ pub struct MeshCore {
     faces: Arc<Vec<[u32; 3]>>,
     tree: MeshTree,
     closed: OnceLock<Arc<ClosedMesh>>,
+    border: OnceLock<Arc<MeshBorder>>,
 }
 
 fn refused(fault: MeshFault) -> PyErr {
     PyValueError::new_err(fault.to_string())
-}
-
-/// Returns the numbers of an array of rows.
-fn vectors(array: &Object<'_>) -> PyResult<Vec<Vec3<f64>>> {
-    let array = array.cast::<PyArrayDyn<f64>>()?.readonly();
-    let (all, _) = array.as_slice()?.as_chunks::<3>();
-    Ok(all.iter().map(|&[x, y, z]| Vec3::new(x, y, z)).collect())
-}
-
-fn whole(array: &Object<'_>) -> PyResult<Vec<i64>> {
-    let array = array.cast::<PyArrayDyn<i64>>()?.readonly();
-    Ok(array.as_slice()?.to_vec())
-}
-
-fn rows<'py, T: numpy::Element, const N: usize>(
-    py: Python<'py>,
-    all: Vec<[T; N]>,
-) -> PyResult<Object<'py>> {
-    let count = all.len();
-    PyArray1::from_vec(py, all.into_flattened())
-        .as_any()
-        .call_method1("reshape", ((count, N),))
-}
-
-fn in_space<'py>(py: Python<'py>, all: &[Vec3<f64>]) -> PyResult<Object<'py>> {
-    rows(py, all.iter().map(|v| [v.x, v.y, v.z]).collect())
-}
-
-/// Features as numbers: 0 the interior, 1 to 3 corners, from 4 on edges.
-fn coded(feature: FaceFeature) -> i64 {
-    match feature {
-        FaceFeature::Interior => 0,
-        FaceFeature::Vertex { corner } => 1 + i64::from(corner),
-        FaceFeature::Edge { from, to } => 4 + 3 * i64::from(from) + i64::from(to),
-    }
-}
-
-fn records(array: &Object<'_>) -> PyResult<Vec<FaceRecord>> {
-    let all = whole(array)?;
-    let (all, _) = all.as_chunks::<2>();
-    let record = |&[face, code]: &[i64; 2]| FaceRecord {
-        // Beyond all faces, which the library refuses.
-        face: u32::try_from(face).unwrap_or(u32::MAX),
-        feature: match code {
-            0 => FaceFeature::Interior,
-            1..=3 => FaceFeature::Vertex {
-                corner: (code - 1) as u8,
-            },
-            code => {
-                let code = u8::try_from(code - 4).unwrap_or(u8::MAX);
-                FaceFeature::Edge {
-                    from: code / 3,
-                    to: code % 3,
-                }
-            }
-        },
-    };
-    Ok(all.iter().map(record).collect())
-}
-
-fn rays(starts: &Object<'_>, directions: &Object<'_>) -> PyResult<Vec<Ray3<f64>>> {
-    let both = vectors(starts)?.into_iter().zip(vectors(directions)?);
-    Ok(both
-        .map(|(point, direction)| Ray3 { point, direction })
-        .collect())
-}
-
-fn hit_faces(array: &Object<'_>) -> PyResult<Vec<Option<u32>>> {
-    let face = |face: i64| (face >= 0).then(|| u32::try_from(face).unwrap_or(u32::MAX));
-    Ok(whole(array)?.into_iter().map(face).collect())
 }
 
 impl MeshCore {
@@ -120,6 +56,65 @@ impl MeshCore {
         let closed = Arc::new(ClosedMesh::new(&mesh).map_err(refused)?);
         Ok(self.closed.get_or_init(|| closed).clone())
     }
+    fn border(&self) -> PyResult<Arc<MeshBorder>> {
+        if let Some(border) = self.border.get() {
+            return Ok(border.clone());
+        }
+        let mesh = Columns::new(&self.vertices, &self.faces).map_err(refused)?;
+        let border = Arc::new(MeshBorder::new(&mesh));
+        Ok(self.border.get_or_init(|| border).clone())
+    }
+    fn wound<R: Send>(
+        &self,
+        py: Python<'_>,
+        count: usize,
+        run: impl FnOnce(&WoundSurface<'_, f64>) -> Result<R, Error> + Send,
+    ) -> PyResult<R> {
+        let border = self.border()?;
+        let work = count * (64 + border.edges().len());
+        let found = on_threads(py, work, || -> Result<_, MeshFault> {
+            let mesh = Columns::new(&self.vertices, &self.faces)?;
+            Ok(run(&border.of(&self.tree.on(&mesh)?)?))
+        })?;
+        found.map_err(refused)?.map_err(raised)
+    }
+    /// Runs on the mesh alone, with an energy by its name.
+    fn with_energy<R: Send>(
+        &self,
+        py: Python<'_>,
+        (kind, elements, constants): (&str, &[i64], &[f64]),
+        run: impl FnOnce(MeshEnergy<'_>, &Columns<'_, f64>) -> Result<R, Error> + Send,
+    ) -> PyResult<R> {
+        // Beyond all vertices, which the library refuses.
+        let index = |&vertex: &i64| u32::try_from(vertex).unwrap_or(u32::MAX);
+        let all: Vec<u32> = elements.iter().map(index).collect();
+        let energy = match kind {
+            "area" => MeshEnergy::Area,
+            "volume" => MeshEnergy::Volume,
+            "dirichlet" => MeshEnergy::Dirichlet { values: constants },
+            "springs" => MeshEnergy::Springs {
+                edges: all.as_chunks().0,
+                lengths: constants,
+            },
+            "bending" => MeshEnergy::Bending {
+                hinges: all.as_chunks().0,
+                angles: constants,
+            },
+            other => return Err(PyKeyError::new_err(other.to_owned())),
+        };
+        self.on_columns(py, |mesh| run(energy, mesh))?
+            .map_err(raised)
+    }
+    fn on_columns<R: Send>(
+        &self,
+        py: Python<'_>,
+        run: impl FnOnce(&Columns<'_, f64>) -> R + Send,
+    ) -> PyResult<R> {
+        let found = on_threads(py, 64 * self.faces.len(), || -> Result<_, MeshFault> {
+            Ok(run(&Columns::new(&self.vertices, &self.faces)?))
+        })?;
+        found.map_err(refused)
+    }
     /// Runs with a distance by its name.
     fn with_kind<R>(
         &self,
@@ -130,6 +125,7 @@ impl MeshCore {
             "distance" => run(MeshDistance::Plain),
             "squared_distance" => run(MeshDistance::Squared),
             "signed_distance" => run(MeshDistance::Signed(&*self.closed()?)),
+            "wound_distance" => run(MeshDistance::Wound(&*self.border()?)),
             other => Err(PyKeyError::new_err(other.to_owned())),
         }
     }
@@ -157,6 +153,7 @@ impl MeshCore {
             faces: Arc::new(faces),
             tree,
             closed: OnceLock::new(),
+            border: OnceLock::new(),
         })
     }
     /// The mesh with its vertices at other places: the tree follows them.
@@ -170,6 +167,7 @@ impl MeshCore {
             faces: self.faces.clone(),
             tree,
             closed: self.closed.clone(),
+            border: self.border.clone(),
         })
     }
     #[getter]
@@ -238,6 +236,91 @@ impl MeshCore {
             let both = (in_space(py, &bars.queries)?, in_space(py, &bars.vertices)?);
             Ok(both.into_pyobject(py)?.into_any())
         })
+    }
+    /// The winding numbers around points, or the cotangents of points and vertices from theirs.
+    #[pyo3(signature = (points, upstream=None))]
+    fn winding<'py>(
+        &self,
+        py: Python<'py>,
+        points: &Object<'py>,
+        upstream: Option<&Object<'py>>,
+    ) -> PyResult<Object<'py>> {
+        let (points, cpu) = (vectors(points)?, Cpu::new());
+        let Some(upstream) = upstream else {
+            let run = |wound: &WoundSurface<'_, f64>| cpu.winding_numbers(wound, &points);
+            let values = self.wound(py, points.len(), run)?;
+            return Ok(PyArray1::from_vec(py, values).into_any());
+        };
+        let upstream = numbers(upstream)?;
+        let bars = self.wound(py, points.len(), |wound| {
+            cpu.winding_numbers_vjp(wound, &points, &upstream)
+        })?;
+        let both = (in_space(py, &bars.queries)?, in_space(py, &bars.vertices)?);
+        Ok(both.into_pyobject(py)?.into_any())
+    }
+    /// The edges, of shape (E, 2), or the hinges, of shape (H, 4).
+    fn elements<'py>(&self, py: Python<'py>, kind: &str) -> PyResult<Object<'py>> {
+        if kind == "edges" {
+            let edges = self.on_columns(py, |mesh| mesh.edges())?.into_iter();
+            return rows(py, edges.map(|edge| edge.map(i64::from)).collect());
+        }
+        let hinges = self.on_columns(py, |mesh| mesh.hinges())?.into_iter();
+        rows(py, hinges.map(|hinge| hinge.map(i64::from)).collect())
+    }
+    /// An energy (order 0), its derivatives by the vertices (1), or its second ones as rows, columns and values (2).
+    fn energy<'py>(
+        &self,
+        py: Python<'py>,
+        kind: &str,
+        elements: &Object<'py>,
+        constants: &Object<'py>,
+        order: usize,
+    ) -> PyResult<Object<'py>> {
+        let (elements, constants) = (whole(elements)?, numbers::<f64>(constants)?);
+        let given = (kind, elements.as_slice(), constants.as_slice());
+        let cpu = Cpu::new();
+        match order {
+            0 => {
+                let value = self.with_energy(py, given, |own, mesh| cpu.mesh_energy(own, mesh))?;
+                Ok(value.into_pyobject(py)?.into_any())
+            }
+            1 => {
+                let run = |own: MeshEnergy<'_>, mesh: &Columns<'_, f64>| {
+                    cpu.mesh_energy_slopes(own, mesh)
+                };
+                in_space(py, &self.with_energy(py, given, run)?)
+            }
+            _ => {
+                let run = |own: MeshEnergy<'_>, mesh: &Columns<'_, f64>| {
+                    cpu.mesh_energy_hessian(own, mesh)
+                };
+                triples(py, self.with_energy(py, given, run)?)
+            }
+        }
+    }
+    /// The second derivatives of the Dirichlet energy by values, as rows, columns and values.
+    fn laplacian<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
+        triples(
+            py,
+            self.on_columns(py, |mesh| Cpu::new().mesh_laplacian(mesh))?,
+        )
+    }
+    /// The centroid, or the cotangents of vertices from its own.
+    #[pyo3(signature = (upstream=None))]
+    fn centroid<'py>(
+        &self,
+        py: Python<'py>,
+        upstream: Option<&Object<'py>>,
+    ) -> PyResult<Object<'py>> {
+        let cpu = Cpu::new();
+        let Some(upstream) = upstream else {
+            let Vec3 { x, y, z } = self.on_columns(py, |mesh| cpu.mesh_centroid(mesh))?;
+            return Ok(PyArray1::from_vec(py, vec![x, y, z]).into_any());
+        };
+        let bar = vectors(upstream)?.into_iter().next();
+        let bar = bar.ok_or_else(|| PyValueError::new_err("upstream: three numbers are needed"))?;
+        let bars = self.on_columns(py, |mesh| cpu.mesh_centroid_vjp(mesh, bar))?;
+        in_space(py, &bars.map_err(raised)?)
     }
     /// The first faces that rays meet; −1 for a miss.
     fn hit_faces<'py>(

@@ -191,3 +191,101 @@ def test_a_mesh_descends_to_points():
     assert losses[-1] < 0.05 * losses[0], losses
     with pytest.raises(TypeError, match="faces are needed, or like"):
         geograd.torch.Mesh(vertices)
+
+
+def angles(points, vertices, faces):
+    """The winding numbers: solid angles of all faces, by van Oosterom and Strackee."""
+    a, b, c = (vertices[faces[:, k]][None] - points[:, None] for k in range(3))
+    x, y, z = (np.linalg.norm(v, axis=-1) for v in (a, b, c))
+    dot = lambda p, q: (p * q).sum(-1)
+    below = x * y * z + dot(a, b) * z + dot(b, c) * x + dot(c, a) * y
+    return 2 * np.arctan2(dot(a, np.cross(b, c)), below).sum(1) / (4 * np.pi)
+
+
+def test_winding_numbers_are_the_sums_of_solid_angles():
+    inside = np.linalg.norm(POINTS, axis=1) < 0.8
+    assert (MESH.winding_number(POINTS)[inside] == 1).all() and inside.sum() > 10
+    np.testing.assert_allclose(MESH.winding_number(POINTS), angles(POINTS, VERTICES, FACES), atol=1e-12)
+    holed = geograd.Mesh(VERTICES, FACES[::3])
+    found = holed.winding_number(POINTS.reshape(20, 20, 3))
+    np.testing.assert_allclose(found.ravel(), angles(POINTS, VERTICES, FACES[::3]), atol=1e-12)
+    np.testing.assert_array_equal(np.sign(MESH.signed_distance(POINTS, winding=True)), np.sign(MESH.signed_distance(POINTS)))
+    signed = geograd.Mesh(VERTICES, FACES[1:]).signed_distance(POINTS, winding=True)
+    assert (signed[np.linalg.norm(POINTS, axis=1) < 0.5] < 0).all()
+
+
+def test_measures_are_those_of_sums():
+    a, b, c = (VERTICES[FACES[:, k]] for k in range(3))
+    np.testing.assert_allclose(MESH.area(), np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2)
+    sixths = (a * np.cross(b, c)).sum(1) / 6
+    np.testing.assert_allclose(MESH.volume(), sixths.sum())
+    np.testing.assert_allclose(MESH.centroid(), ((a + b + c) * sixths[:, None] / 4).sum(0) / sixths.sum(), atol=1e-14)
+    i, j = MESH.edges.T
+    lengths = np.linalg.norm(VERTICES[i] - VERTICES[j], axis=1)
+    np.testing.assert_allclose(MESH.energy("springs", 0.25), ((lengths - 0.25) ** 2).sum() / 2)
+    assert len(MESH.hinges) == len(MESH.edges) == 3 * len(FACES) // 2
+    values = VERTICES @ [1.0, -2.0, 0.5]
+    rows, columns, entries = MESH.laplacian()
+    np.testing.assert_allclose(MESH.energy("dirichlet", values), (values[rows] * entries * values[columns]).sum() / 2)
+
+
+def test_slopes_and_hessians_are_those_of_differences():
+    constants = {"area": None, "volume": None, "dirichlet": VERTICES[:, 0] ** 2, "springs": 0.3, "bending": 0.1}
+    way = np.random.default_rng(8).normal(size=VERTICES.shape)
+    for kind, own in constants.items():
+        up, down = (MESH.moved(VERTICES + step * way) for step in (1e-6, -1e-6))
+        slopes = MESH.slopes(kind, own)
+        np.testing.assert_allclose((slopes * way).sum(), (up.energy(kind, own) - down.energy(kind, own)) / 2e-6, rtol=1e-6, atol=1e-6)
+        rows, columns, values = MESH.hessian(kind, own)
+        product = np.bincount(rows, values * way.ravel()[columns], minlength=way.size).reshape(way.shape)
+        np.testing.assert_allclose(product, (up.slopes(kind, own) - down.slopes(kind, own)) / 2e-6, rtol=1e-5, atol=1e-4)
+
+
+def test_faults_of_energies_name_what_is_wrong():
+    with pytest.raises(ValueError, match="kind: one of area, volume"):
+        MESH.energy("mass")
+    with pytest.raises(TypeError, match="constants: springs has a number per"):
+        MESH.energy("springs")
+    with pytest.raises(TypeError, match="elements: area has none"):
+        MESH.energy("area", elements=MESH.edges)
+    with pytest.raises(ValueError, match="`edges` item 1: value is not a pair of vertices"):
+        MESH.slopes("springs", 1.0, [[0, 1], [0, -1]])
+    with pytest.raises(ValueError, match="`values` has 3 items where 66 are needed"):
+        MESH.hessian("dirichlet", [1.0, 2.0, 3.0])
+    with pytest.raises(ValueError, match="whole numbers of shape"):
+        MESH.energy("bending", 0.0, [[0, 1, 2]])
+
+
+@pytest.mark.parametrize("kind", ["winding_number", "wound_distance"])
+def test_gradients_of_windings_are_those_of_differences(kind):
+    torch = pytest.importorskip("torch")
+    pytest.importorskip("geograd.torch")
+    vertices, faces = bumpy(1)
+    points = POINTS[:200][np.abs(geograd.Mesh(vertices, faces[::2]).distance(POINTS[:200])) > 0.1][:30]
+    vertices = torch.tensor(vertices, requires_grad=True)
+    points = torch.tensor(points, requires_grad=True)
+
+    def query(points, vertices):
+        mesh = geograd.torch.Mesh(vertices, faces[::2])
+        return mesh.winding_number(points) if kind == "winding_number" else mesh.signed_distance(points, winding=True)
+
+    assert torch.autograd.gradcheck(query, (points, vertices), eps=1e-7, atol=1e-5)
+
+
+def test_energies_have_first_and_second_derivatives():
+    torch = pytest.importorskip("torch")
+    pytest.importorskip("geograd.torch")
+    vertices, faces = bumpy(0)
+    vertices = torch.tensor(vertices, requires_grad=True)
+    constants = {"area": None, "volume": None, "dirichlet": np.arange(6.0), "springs": 0.3, "bending": torch.tensor(0.1)}
+    for kind, own in constants.items():
+
+        def energy(vertices, kind=kind, own=own):
+            return geograd.torch.Mesh(vertices, faces).energy(kind, own)
+
+        assert torch.autograd.gradcheck(energy, (vertices,), eps=1e-6, atol=1e-5)
+        assert torch.autograd.gradgradcheck(energy, (vertices,), eps=1e-6, atol=1e-4)
+    assert torch.autograd.gradcheck(lambda v: geograd.torch.Mesh(v, faces).centroid(), (vertices,), eps=1e-6, atol=1e-6)
+    with pytest.raises(TypeError, match="constants: they have no derivatives"):
+        geograd.torch.Mesh(vertices, faces).energy("springs", torch.ones(12, dtype=torch.float64, requires_grad=True))
+    assert geograd.torch.Mesh(vertices.detach().float(), faces).area().dtype == torch.float32

@@ -13,7 +13,7 @@ use crate::{Scalar, Vec3};
 /// below twelve.
 const ROUNDINGS: f32 = 24.0;
 /// Queries beyond this size, in units of the mesh, have squares that single precision may not hold.
-const FAR: f64 = 1e15;
+pub(crate) const FAR: f64 = 1e15;
 /// The number of candidates from which on those beyond the limit are removed.
 const MANY: usize = 64;
 
@@ -21,15 +21,15 @@ const MANY: usize = 64;
 #[derive(Debug, Default)]
 pub struct SearchRoom {
     /// Nodes and packets yet to visit.
-    pub(super) stack: SearchStack,
+    pub(crate) stack: SearchStack,
     /// Faces that may be nearest, with their squared distances.
-    pub(super) candidates: Vec<(f32, u32)>,
+    pub(crate) candidates: Vec<(f32, u32)>,
 }
 
 /// Nodes and packets yet to visit, each with the key of its bounds, in one number: numbers that are not negative sort
 /// like their bits.
 #[derive(Debug, Default)]
-pub(super) struct SearchStack {
+pub(crate) struct SearchStack {
     items: Vec<u64>,
     top: usize,
 }
@@ -37,14 +37,14 @@ pub(super) struct SearchStack {
 impl SearchStack {
     /// Leaves the root alone.
     #[inline(always)]
-    pub(super) fn start(&mut self) {
+    pub(crate) fn start(&mut self) {
         self.top = 0;
         self.room()[0] = 0;
         self.top = 1;
     }
     /// Returns the last item: a key and a child.
     #[inline(always)]
-    pub(super) fn pop(&mut self) -> Option<(f32, u32)> {
+    pub(crate) fn pop(&mut self) -> Option<(f32, u32)> {
         self.top = self.top.checked_sub(1)?;
         let item = self.items[self.top];
         Some((f32::from_bits((item >> 32) as u32), item as u32))
@@ -65,7 +65,7 @@ impl SearchStack {
     }
     /// Pushes some children of a node, the nearest one last.
     #[inline(always)]
-    pub(super) fn push_nearest_last(&mut self, node: &TreeNode, near: u32, keys: &[f32; 8]) {
+    pub(crate) fn push_nearest_last(&mut self, node: &TreeNode, near: u32, keys: &[f32; 8]) {
         let room = self.room();
         let (mut near, mut count) = (near & 0xff, 0);
         while near != 0 {
@@ -87,6 +87,13 @@ impl SearchStack {
         }
         self.top += count;
     }
+}
+
+/// Returns the error of distances from a place in the frame of a tree.
+#[inline(always)]
+pub(crate) fn margin([x, y, z]: [f32; 3]) -> f32 {
+    let size = x.abs().max(y.abs()).max(z.abs());
+    ROUNDINGS * 0.5 * f32::EPSILON * (1.0 + size)
 }
 
 /// The least squared distance so far, and the limit up to which faces are candidates.
@@ -112,7 +119,7 @@ impl SearchLimit {
 
 /// Returns the squared distances of a point from the bounds of a node's children.
 #[inline(always)]
-fn bound_squares<L: EightLanes>(node: &TreeNode, point: Vec3<L>, part: usize) -> L {
+pub(crate) fn bound_squares<L: EightLanes>(node: &TreeNode, point: Vec3<L>, part: usize) -> L {
     let (low, high) = (
         part_of::<L>(&node.low, part),
         part_of::<L>(&node.high, part),
@@ -171,11 +178,10 @@ pub(crate) fn collect<L: EightLanes>(
     start: f32,
     room: &mut SearchRoom,
 ) -> f32 {
-    let size = x.abs().max(y.abs()).max(z.abs());
     let mut limit = SearchLimit {
         least: f32::INFINITY,
         limit: f32::INFINITY,
-        margin: ROUNDINGS * 0.5 * f32::EPSILON * (1.0 + size),
+        margin: margin([x, y, z]),
     };
     limit.lower(start);
     let point = Vec3::new(L::all(x), L::all(y), L::all(z));

@@ -52,6 +52,17 @@ impl<'a, S: Scalar<Mask = bool>> Mesh<'a, S> {
 }
 
 impl<'a, S: Copy> Mesh<'a, S> {
+    /// Creates a mesh from columns that are known to be valid.
+    pub(crate) fn unchecked(vertices: &'a [Vec3<S>], faces: &'a [[u32; 3]]) -> Self {
+        Mesh { vertices, faces }
+    }
+    /// Returns these faces over as many other vertices.
+    pub(crate) fn with_vertices<'b, T>(&'b self, vertices: &'b [Vec3<T>]) -> Mesh<'b, T> {
+        Mesh {
+            vertices,
+            faces: self.faces,
+        }
+    }
     /// Returns the vertices.
     #[must_use]
     #[inline]

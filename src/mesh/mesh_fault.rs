@@ -45,6 +45,13 @@ pub enum MeshFault {
         /// The number of vertices and of faces that the tree was built over.
         found: [usize; 2],
     },
+    /// A border is that of a mesh with another number of vertices or faces.
+    OtherBorder {
+        /// The number of vertices and of faces of the mesh.
+        expected: [usize; 2],
+        /// The number of vertices and of faces of the border's mesh.
+        found: [usize; 2],
+    },
 }
 
 impl fmt::Display for MeshFault {
@@ -81,6 +88,11 @@ impl fmt::Display for MeshFault {
             MeshFault::OtherTree { expected, found } => write!(
                 f,
                 "the tree is of {} vertices and {} faces, the mesh has {} and {}",
+                found[0], found[1], expected[0], expected[1]
+            ),
+            MeshFault::OtherBorder { expected, found } => write!(
+                f,
+                "the border is of {} vertices and {} faces, the mesh has {} and {}",
                 found[0], found[1], expected[0], expected[1]
             ),
         }

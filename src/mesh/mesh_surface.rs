@@ -159,7 +159,7 @@ impl<S: Scalar<Mask = bool>> MeshSurface<'_, S> {
         all.into_iter().map(replay).collect()
     }
     /// Returns `true` if a ray from the point leaves the mesh through an odd number of faces, or if the point is on a
-    /// face that the ray meets: for closed meshes, the points inside. Exact on the given numbers.
+    /// face: for closed meshes, the points inside. Exact on the given numbers.
     #[must_use]
     pub fn encloses(&self, point: Vec3<S>) -> bool {
         let mut room = SearchRoom::default();

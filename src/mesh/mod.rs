@@ -11,6 +11,10 @@
 //! | [`MeshSurface::signed_distance`] | the distance, negative inside a [closed](ClosedMesh) mesh |
 //! | [`MeshSurface::hit_face`], [`first_hit`](MeshSurface::first_hit), [`all_hits`](MeshSurface::all_hits) | where rays meet the mesh |
 //! | [`MeshSurface::encloses`] | whether a point is inside, by the parity of exact crossings |
+//! | [`WoundSurface::winding_number`] | how often a mesh goes around a point; open and crossing ones, too |
+//! | [`WoundSurface::signed_distance`] | the distance, negative where the winding number is above ½ |
+//! | [`Mesh::area`], [`volume`](Mesh::volume), [`centroid`](Mesh::centroid), [`dirichlet`](Mesh::dirichlet) | measures |
+//! | [`MeshEnergy`] | measures and energies with gradients and sparse Hessians, by [batches](crate::kernels::cpu::mesh_energies) |
 //!
 //! ```
 //! use geograd::mesh::{ClosedMesh, Mesh, MeshTree};
@@ -64,24 +68,33 @@ mod enclosed_point;
 mod face_measure;
 mod face_replay;
 mod face_search;
+mod mesh_border;
 mod mesh_column;
 mod mesh_fault;
+mod mesh_measures;
 mod mesh_surface;
 mod mesh_tree;
 mod packet;
 mod ray_search;
 mod tree_split;
+mod wound_surface;
 
 pub(crate) use face_measure::normal;
-pub(crate) use face_search::{SearchRoom, nearest};
+pub(crate) use face_search::{FAR, SearchRoom, bound_squares, margin, nearest};
 pub(crate) use mesh_column::plain;
-pub(crate) use packet::EightLanes;
+pub(crate) use packet::{EightLanes, PACKET, part_of};
 pub(crate) use ray_search::{first, plain_ray};
+pub(crate) use wound_surface::edge_slopes;
 
 pub use closed_mesh::ClosedMesh;
 pub use face_measure::{FaceFeature, FaceRecord};
 pub use face_replay::{closest_replay, distance_replay, normal_replay, squared_distance_replay};
+pub use mesh_border::{BorderEdge, MeshBorder};
 pub use mesh_column::Mesh;
 pub use mesh_fault::MeshFault;
+pub use mesh_measures::{
+    MeshEnergy, bending_of_hinge, cone_volume, dirichlet_of_face, hinge_angle,
+};
 pub use mesh_surface::{MeshHit, MeshSurface};
 pub use mesh_tree::MeshTree;
+pub use wound_surface::{WoundSurface, solid_angle};

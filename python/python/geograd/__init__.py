@@ -19,6 +19,7 @@ from ._buffer import buffer
 from ._camera import sees
 from ._cells import Cells
 from ._check import Reports, check
+from ._cloud import Cloud
 from . import _elementary
 from ._elementary import ELEMENTARY as _ELEMENTARY, clip, where
 from ._euler import euler, from_euler
@@ -45,7 +46,7 @@ if hasattr(_os, "register_at_fork"):
 
 __all__ = sorted(
     [
-        "Cells", "Clouds", "Function", "HullMeasure", "Mesh", "Paths", "Polygons", "Polylines", "Program", "Reports", "Rings", "Shape", "Symbol",
+        "Cells", "Cloud", "Clouds", "Function", "HullMeasure", "Mesh", "Paths", "Polygons", "Polylines", "Program", "Reports", "Rings", "Shape", "Symbol",
         "Truth", "Verb",
         "WGSL", "__version__", "assignment", "metric", "suppression",
         "buffer", "check", "clip", "contains", "convex_hull", "euler", "frechet", "from_euler", "function", "get_num_threads", "hausdorff", "hull_faces",

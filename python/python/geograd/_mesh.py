@@ -1,4 +1,4 @@
-"""Meshes of triangles: closest points, distances and hits of rays."""
+"""Meshes of triangles: closest points, distances, hits of rays, winding numbers, measures and energies."""
 
 import numpy as np
 
@@ -13,6 +13,34 @@ def _rows(name, array, dtype=np.float64):
     if dtype == np.int64 and array.dtype.kind not in "iu":
         raise TypeError(f"{name}: whole numbers are needed, not {array.dtype}")
     return np.ascontiguousarray(array, dtype).reshape(-1, 3), array.shape[:-1]
+
+
+#: The energies that sum over elements of their own: what an element is, and how many vertices it has.
+ELEMENTS = {"springs": ("edges", 2), "bending": ("hinges", 4)}
+
+
+def energy_columns(core, kind, constants, elements):
+    """The elements and the constants of an energy, as arrays."""
+    if kind not in ("area", "volume", "dirichlet", *ELEMENTS):
+        raise ValueError(f"kind: one of area, volume, springs, dirichlet and bending is needed, not {kind!r}")
+    if kind not in ELEMENTS:
+        if elements is not None:
+            raise TypeError(f"elements: {kind} has none")
+        elements = np.zeros(0, np.int64)
+    else:
+        name, width = ELEMENTS[kind]
+        elements = core.elements(name) if elements is None else np.asarray(elements)
+        if elements.ndim != 2 or elements.shape[1] != width or elements.dtype.kind not in "iu":
+            raise ValueError(f"elements: whole numbers of shape (N, {width}) are needed")
+    if (constants is None) != (kind in ("area", "volume")):
+        raise TypeError(f"constants: {kind} has " + ("none" if kind in ("area", "volume") else "a number per vertex or element"))
+    constants = np.zeros(0) if constants is None else np.asarray(constants, np.float64)
+    if constants.ndim > 1:
+        raise ValueError(f"constants: an array of shape (N,) is needed, not {constants.shape}")
+    if constants.ndim == 0:
+        count = len(core.vertices) if kind == "dirichlet" else len(elements)
+        constants = np.full(count, float(constants))
+    return np.ascontiguousarray(elements, np.int64), np.ascontiguousarray(constants)
 
 
 class Mesh:
@@ -73,9 +101,70 @@ class Mesh:
         """The squared distance of each point."""
         return self._distances("squared_distance", points)
 
-    def signed_distance(self, points):
-        """The distance of each point, negative inside. The mesh must be closed: each edge has two faces, in opposite directions."""
-        return self._distances("signed_distance", points)
+    def signed_distance(self, points, *, winding=False):
+        """The distance of each point, negative inside. The mesh must be closed: each edge has two faces, in opposite directions.
+
+        With ``winding`` any mesh will do: inside is where its winding number is above ½. The sign then jumps in holes.
+        """
+        return self._distances("wound_distance" if winding else "signed_distance", points)
+
+    def winding_number(self, points):
+        """How often the mesh goes around each point: 1 inside a closed mesh and 0 outside, the mean of both on a face.
+
+        An open mesh has numbers between, which fall off around its holes; inner walls and repeated faces count as often as they
+        are there.
+        """
+        rows, shape = _rows("points", points)
+        return self._core.winding(rows).reshape(shape)
+
+    @property
+    def edges(self):
+        """The edges of all faces, each once, of shape (E, 2)."""
+        return self._core.elements("edges")
+
+    @property
+    def hinges(self):
+        """The edges of two faces, of shape (H, 4): start, end, and the third corners of both faces."""
+        return self._core.elements("hinges")
+
+    def area(self):
+        """The area of all faces."""
+        return self.energy("area")
+
+    def volume(self):
+        """The volume inside a closed mesh, negative where faces look inward."""
+        return self.energy("volume")
+
+    def centroid(self):
+        """The centroid of the volume inside a closed mesh."""
+        return self._core.centroid()
+
+    def energy(self, kind, constants=None, elements=None):
+        """A measure or an energy: ``"area"``, ``"volume"``, ``"dirichlet"``, ``"springs"`` or ``"bending"``.
+
+        ``constants`` are the values of a function at the vertices (dirichlet), the lengths of edges at rest (springs) or the angles
+        of hinges at rest (bending); one number stands for all. ``elements`` are edges or hinges; by default all of the mesh.
+
+        >>> mesh = geograd.Mesh([[0, 0, 0], [4, 0, 0], [0, 2, 0]], [[0, 1, 2]])
+        >>> mesh.energy("area"), mesh.energy("dirichlet", [0, 4, 0])
+        (4.0, 2.0)
+        """
+        return self._core.energy(kind, *energy_columns(self._core, kind, constants, elements), 0)
+
+    def slopes(self, kind, constants=None, elements=None):
+        """The derivatives of an energy by the vertices, of shape (V, 3)."""
+        return self._core.energy(kind, *energy_columns(self._core, kind, constants, elements), 1)
+
+    def hessian(self, kind, constants=None, elements=None):
+        """The second derivatives of an energy by the 3 V numbers of the vertices: rows, columns and values of a sparse matrix.
+
+        ``scipy.sparse.coo_array((values, (rows, columns)))`` takes them.
+        """
+        return self._core.energy(kind, *energy_columns(self._core, kind, constants, elements), 2)
+
+    def laplacian(self):
+        """The cotangent Laplacian, positive semidefinite: rows, columns and values of a sparse matrix with one row per vertex."""
+        return self._core.laplacian()
 
     def closest(self, points):
         """The nearest point of the mesh for each point, and the index of its face."""

@@ -8,6 +8,7 @@ import numpy as np
 import torch
 
 import geograd
+from geograd._mesh import energy_columns
 
 
 def _array(name: str, tensor: Any) -> Any:
@@ -74,10 +75,80 @@ class _Rays(torch.autograd.Function):
         return None, *(_like(part, own) for part, own in zip(parts, ctx.saved_tensors))
 
 
+class _Winding(torch.autograd.Function):
+    """The winding numbers around points."""
+
+    @staticmethod
+    def forward(ctx: Any, core: Any, points: torch.Tensor, vertices: torch.Tensor) -> torch.Tensor:
+        rows = _array("points", points)
+        ctx.core, ctx.rows = core, rows
+        ctx.save_for_backward(points, vertices)
+        return torch.from_numpy(core.winding(rows)).to(points.dtype).reshape(points.shape[:-1])
+
+    @staticmethod
+    @torch.autograd.function.once_differentiable
+    def backward(ctx: Any, upstream: torch.Tensor) -> Any:
+        bars = np.ascontiguousarray(upstream.detach().numpy().reshape(-1), np.float64)
+        parts = ctx.core.winding(ctx.rows, bars)
+        return None, *(_like(part, own) for part, own in zip(parts, ctx.saved_tensors))
+
+
+class _Centroid(torch.autograd.Function):
+    """The centroid of the volume."""
+
+    @staticmethod
+    def forward(ctx: Any, core: Any, vertices: torch.Tensor) -> torch.Tensor:
+        ctx.core = core
+        ctx.save_for_backward(vertices)
+        return torch.from_numpy(core.centroid()).to(vertices.dtype)
+
+    @staticmethod
+    @torch.autograd.function.once_differentiable
+    def backward(ctx: Any, upstream: torch.Tensor) -> Any:
+        (vertices,) = ctx.saved_tensors
+        bar = np.ascontiguousarray(upstream.detach().numpy(), np.float64).reshape(1, 3)
+        return None, _like(ctx.core.centroid(bar), vertices)
+
+
+class _Slopes(torch.autograd.Function):
+    """The derivatives of an energy by the vertices."""
+
+    @staticmethod
+    def forward(ctx: Any, core: Any, given: Any, vertices: torch.Tensor) -> torch.Tensor:
+        ctx.core, ctx.given = core, given
+        ctx.save_for_backward(vertices)
+        return _like(core.energy(*given, 1), vertices)
+
+    @staticmethod
+    @torch.autograd.function.once_differentiable
+    def backward(ctx: Any, upstream: torch.Tensor) -> Any:
+        (vertices,) = ctx.saved_tensors
+        rows, columns, values = ctx.core.energy(*ctx.given, 2)
+        bars = np.ascontiguousarray(upstream.detach().numpy().reshape(-1), np.float64)
+        # In the order of entries: the same bits every time.
+        product = np.bincount(rows, weights=values * bars[columns], minlength=len(bars))
+        return None, None, _like(product, vertices)
+
+
+class _Energy(torch.autograd.Function):
+    """An energy of a mesh."""
+
+    @staticmethod
+    def forward(ctx: Any, core: Any, given: Any, vertices: torch.Tensor) -> torch.Tensor:
+        ctx.core, ctx.given = core, given
+        ctx.save_for_backward(vertices)
+        return torch.tensor(core.energy(*given, 0), dtype=vertices.dtype)
+
+    @staticmethod
+    def backward(ctx: Any, upstream: torch.Tensor) -> Any:
+        (vertices,) = ctx.saved_tensors
+        return None, None, upstream * _Slopes.apply(ctx.core, ctx.given, vertices)
+
+
 class Mesh:
     """A mesh whose vertices are a tensor, of shape (V, 3): :class:`geograd.Mesh` in torch.
 
-    Results have first derivatives by the points or rays and by the vertices. Sums over many points have the same bits every
+    Results have first derivatives by the points or rays and by the vertices, energies second ones, too. Sums over many points have the same bits every
     time. Where a closest point jumps, the derivative is that of the lowest face. ``like`` is a mesh with the same faces, whose
     tree follows the vertices: it saves most of the time of a new one in a loop. It runs on the CPU.
 
@@ -110,9 +181,44 @@ class Mesh:
         """The squared distance of each point, smooth also on the mesh."""
         return self._nearest("squared_distance", points)
 
-    def signed_distance(self, points: torch.Tensor) -> torch.Tensor:
-        """The distance of each point, negative inside, smooth through faces. The mesh must be closed."""
-        return self._nearest("signed_distance", points)
+    def signed_distance(self, points: torch.Tensor, *, winding: bool = False) -> torch.Tensor:
+        """The distance of each point, negative inside, smooth through faces. The mesh must be closed.
+
+        With ``winding`` any mesh will do: inside is where its winding number is above ½. The derivative is zero on the mesh.
+        """
+        return self._nearest("wound_distance" if winding else "signed_distance", points)
+
+    def winding_number(self, points: torch.Tensor) -> torch.Tensor:
+        """How often the mesh goes around each point. Derivatives are those of the border: zero for a closed mesh."""
+        found: torch.Tensor = _Winding.apply(self.column._core, points, self.vertices)
+        return found
+
+    def area(self) -> torch.Tensor:
+        """The area of all faces."""
+        return self.energy("area")
+
+    def volume(self) -> torch.Tensor:
+        """The volume inside a closed mesh, negative where faces look inward."""
+        return self.energy("volume")
+
+    def centroid(self) -> torch.Tensor:
+        """The centroid of the volume inside a closed mesh."""
+        found: torch.Tensor = _Centroid.apply(self.column._core, self.vertices)
+        return found
+
+    def energy(self, kind: str, constants: Any = None, elements: Any = None) -> torch.Tensor:
+        """A measure or an energy, as :meth:`geograd.Mesh.energy` has it, with first and second derivatives by the vertices.
+
+        Constants have no derivatives.
+        """
+        if isinstance(constants, torch.Tensor):
+            if constants.requires_grad:
+                raise TypeError("constants: they have no derivatives; detach them")
+            constants = constants.numpy()
+        elements = elements.numpy() if isinstance(elements, torch.Tensor) else elements
+        core = self.column._core
+        found: torch.Tensor = _Energy.apply(core, (kind, *energy_columns(core, kind, constants, elements)), self.vertices)
+        return found
 
     def closest(self, points: torch.Tensor) -> torch.Tensor:
         """The nearest point of the mesh for each point."""

@@ -4,7 +4,7 @@
 verb of :mod:`geograd` is here by its name, with derivatives of any order, ``torch.func`` and ``torch.compile``, and with
 the forms :meth:`Verb.all_pairs`, ``row_max``, ``above``, ``sum``, ``mean`` and ``suppress``. :func:`function` does the same
 for a function of your own, :func:`check` checks a gradient. :class:`Polygons` have holes and parts; :class:`Rings`,
-:class:`Polylines` and :class:`Clouds` are paths, and :class:`Mesh` is one of triangles; :func:`cells` measures Voronoi and power cells. Their areas, overlaps and distances have derivatives of any order, too.
+:class:`Polylines` and :class:`Clouds` are paths, and :class:`Mesh` is one of triangles, :class:`Cloud` one of points with a tree; :func:`cells` measures Voronoi and power cells. Their areas, overlaps and distances have derivatives of any order, too.
 
 Losses: ``Loss``, ``IoULoss``, ``GIoULoss``, ``DIoULoss``, ``CIoULoss``, ``EIoULoss``, ``ProbIoULoss``, ``KFIoULoss``,
 ``GWDLoss``, ``KLDLoss``.
@@ -29,6 +29,7 @@ from geograd._losses import (
     CIoULoss, DIoULoss, EIoULoss, GIoULoss, GWDLoss, IoULoss, KFIoULoss, KLDLoss, Loss, ProbIoULoss,
 )
 from geograd._torch_cells import CellMeasures, cells
+from geograd._torch_cloud import Cloud
 from geograd._torch_mesh import Mesh
 from geograd._torch_polygons import (
     Clouds, Paths, Polygons, Polylines, Rings, buffer, contains, difference, intersection, symmetric_difference, union, union_area,
@@ -38,7 +39,7 @@ from geograd._torch_verbs import __all__ as _VERBS, Verb
 
 __all__ = [
     "check", "function", "Loss", "IoULoss", "GIoULoss", "DIoULoss", "CIoULoss", "EIoULoss", "ProbIoULoss", "KFIoULoss",
-    "GWDLoss", "KLDLoss", "CellMeasures", "Clouds", "Mesh", "Paths", "Polygons", "Polylines", "Rings", "Verb", "buffer", "cells", "contains",
+    "GWDLoss", "KLDLoss", "CellMeasures", "Cloud", "Clouds", "Mesh", "Paths", "Polygons", "Polylines", "Rings", "Verb", "buffer", "cells", "contains",
     "difference", "intersection", "symmetric_difference", "union", "union_area", *_VERBS,
 ]
 

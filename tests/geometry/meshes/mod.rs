@@ -1,8 +1,11 @@
 //! Meshes of triangles: queries against every face one by one, derivatives against differences.
 mod closest_faces;
+mod energy_slopes;
 mod face_adjoints;
 mod many_queries;
 mod mesh_faults;
 pub mod mesh_shapes;
 mod pierced_faces;
+mod point_clouds;
 mod query_slopes;
+mod winding_numbers;
