@@ -6,7 +6,10 @@ use crate::ad::program::recorded::Recorded;
 use crate::kernels::row::decision::HintedSearch;
 use crate::kernels::row::derivation::{DerivativeStep, Mode, Order, Replays};
 use crate::kernels::row::item::{Item, by_kind, by_shape, get, width};
+#[cfg(feature = "check")]
+use crate::kernels::row::once::known;
 use crate::kernels::row::straight_line::by_reverse;
+use crate::scalar::Format;
 use crate::{Fixed, Pack, Real, Scalar};
 use std::collections::HashMap;
 use std::sync::{Arc, PoisonError, RwLock};
@@ -143,22 +146,68 @@ fn made<D: HintedSearch, X>(
     Ok(Arc::clone(kept.entry(key).or_insert(made)))
 }
 
+/// Returns a replay as a program of the numbers of the input and the hints, which are constants of it.
+fn recorded<D: HintedSearch>(
+    format: Format,
+    codes: &[u32],
+    record: D::Record,
+) -> Result<Recorded, Error> {
+    type In<D> = <D as HintedSearch>::In<Neutral>;
+    type Hints<D> = <D as HintedSearch>::Hints<Neutral>;
+    type Out<D> = <D as HintedSearch>::Out<Neutral>;
+    let replay = |(input, hints): (In<D>, Hints<D>)| {
+        let mut constants = hints;
+        constants.each(&mut |hint| *hint = hint.primal());
+        D::replay_with_hints::<Neutral>(input, record, constants)
+    };
+    record_with_codes::<(In<D>, Hints<D>), Out<D>>(format, codes, replay)
+}
+
+/// The pull-backs that the harness keeps of a search, by format, codes and record. Neighbours of an input share most
+/// records, inputs few.
+#[cfg(feature = "check")]
+type PullBacks<D> = HashMap<(Format, Vec<u32>, <D as HintedSearch>::Record), Arc<Recorded>>;
+
+/// The number of pull-backs that the harness keeps of a search. One more drops all.
+#[cfg(feature = "check")]
+const MOST_PULLED: usize = 64;
+
+/// Returns the pull-back of a replay as a program: from the numbers of the input, the hints and a cotangent of the
+/// result to the cotangents of the input's numbers.
+#[cfg(feature = "check")]
+pub(crate) fn pull_back_of_replay<D: HintedSearch>(
+    format: Format,
+    codes: &[u32],
+    record: D::Record,
+) -> Result<Arc<Recorded>, Error> {
+    let all = known::<D, RwLock<PullBacks<D>>>(|| Ok(RwLock::default()))?;
+    let key = (format, codes.to_vec(), record);
+    let kept = all.read().unwrap_or_else(PoisonError::into_inner);
+    if let Some(found) = kept.get(&key) {
+        return Ok(Arc::clone(found));
+    }
+    drop(kept);
+    let of_input: Vec<usize> = (0..D::In::<Neutral>::LEN).collect();
+    let made = Arc::new(
+        recorded::<D>(format, codes, record)?
+            .vjp()
+            .chosen(&of_input),
+    );
+    let mut kept = all.write().unwrap_or_else(PoisonError::into_inner);
+    if kept.len() >= MOST_PULLED {
+        kept.clear();
+    }
+    kept.insert(key, Arc::clone(&made));
+    Ok(made)
+}
+
 impl<D: HintedSearch, T: Real> DerivedReplays<D, T>
 where
     D::In<T>: Item<Scalar = T>,
 {
     /// Records a replay and differentiates it.
     fn program(&self, codes: &[u32], record: D::Record) -> Result<Recorded, Error> {
-        type In<D> = <D as HintedSearch>::In<Neutral>;
-        type Hints<D> = <D as HintedSearch>::Hints<Neutral>;
-        type Out<D> = <D as HintedSearch>::Out<Neutral>;
-        let replay = |(input, hints): (In<D>, Hints<D>)| {
-            let mut constants = hints;
-            constants.each(&mut |hint| *hint = hint.primal());
-            D::replay_with_hints::<Neutral>(input, record, constants)
-        };
-        let mut recorded =
-            record_with_codes::<(In<D>, Hints<D>), Out<D>>(T::FORMAT, codes, replay)?;
+        let mut recorded = recorded::<D>(T::FORMAT, codes, record)?;
         for (step, kept) in &self.steps {
             recorded = match *step {
                 // Without the value, which [`by_reverse`] puts first: a replay computes the derivative alone.

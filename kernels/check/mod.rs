@@ -14,6 +14,7 @@
 //!
 //! An operation is judged by its recording, so that the harness is compiled once, in the library. An adjoint by hand
 //! has two further witnesses: reverse derivatives of the recording in double precision, and num-dual's numbers.
+//! The adjoint of a search is the recorded pull-back of its replay, with duals of the replay as a witness.
 mod dynamic;
 mod jets;
 mod of;

@@ -1,11 +1,12 @@
 //! Operations, searches and folds in the harness's form: one function, generic over the scalar, and its adjoint.
 use crate::kernels::call::folding::{FoldPrograms, Sizes, backwards, programs};
+use crate::kernels::call::replayed::pull_back_of_replay;
 use crate::kernels::call::search::HintedSearch;
 use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::fold::{Fold, by_hand, fold};
 use crate::kernels::row::op::program_of;
 use crate::kernels::row::op::{Declared, Derivative, Op};
-use crate::{Fixed, Jet, Pack, Real, Scalar};
+use crate::{Fixed, Pack, Real, Scalar};
 use std::sync::Arc;
 
 /// A function, generic over the scalar, with its adjoint: the harness's form of an operation, a search or a fold.
@@ -99,13 +100,6 @@ fn constants<D: HintedSearch, P: Copy, S: Scalar>(
     D::Hints::load(&all)
 }
 
-/// Returns the derivative of a result along a direction, times a cotangent.
-fn along<S: Scalar>(result: &[Jet<S, 1>], out_bar: &[S]) -> S {
-    let terms = result.iter().zip(out_bar);
-    let terms = terms.map(|(jet, &bar)| jet.derivative[0] * bar);
-    terms.fold(S::zero(), |sum, term| sum + term)
-}
-
 /// A search in the harness's form.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
@@ -122,29 +116,16 @@ impl<D: HintedSearch> WithAdjoint for Replayed<D> {
     }
     fn pulled<S: Scalar<Mask = bool>>(&input: &Self::In<S>, out_bar: Self::Out<S>) -> Vec<S> {
         let (record, hints) = decided::<D, S>(input);
-        let hints =
-            constants::<D, _, Jet<S, 1>>(&hints, |hint| Jet::variable(S::from_primal(hint), 1));
-        let (numbers, codes, out_bar) = (input.scalars(), input.codes(), out_bar.scalars());
-        let mut jets: Vec<Jet<S, 1>> = Vec::new();
-        for &value in &numbers {
-            let derivative = [S::zero()];
-            jets.push(Jet { value, derivative });
-        }
-        let mut bars = numbers;
-        for (at, bar) in bars.iter_mut().enumerate() {
-            if !D::is_read(&record, at) {
-                *bar = S::zero();
-                continue;
+        match pull_back_of_replay::<D>(S::format(), &input.codes(), record) {
+            Ok(recorded) => {
+                let mut numbers = input.scalars();
+                numbers.extend(hints.into_iter().map(S::from_primal));
+                numbers.extend(out_bar.scalars());
+                recorded.run_on(&numbers)
             }
-            jets[at].derivative[0] = S::one();
-            let moved = D::In::<Jet<S, 1>>::load(&jets).load_codes(&codes);
-            jets[at].derivative[0] = S::zero();
-            *bar = along(
-                &D::replay_with_hints(moved, record, hints).scalars(),
-                &out_bar,
-            );
+            // A replay that cannot be recorded has no derivatives: the harness reports NaN.
+            Err(_) => vec![S::lit(f64::NAN); D::In::<S>::LEN],
         }
-        bars
     }
     fn made<T: Scalar>(like: &Self::In<f64>, numbers: &[T]) -> Self::In<T> {
         D::In::<T>::load(numbers).load_codes(&like.codes())
