@@ -19,10 +19,11 @@ struct Face {
     height: f64,
 }
 
-/// The relative gap of both bounds of the depth at which the expansion ends.
-const CLOSE: f64 = 1e-4;
-/// The most corners of the polytope.
-const MOST: usize = 60;
+/// The relative gap of both bounds of the depth at which the expansion ends. Ways out of a box and a cylinder that differ by
+/// 4 · 10⁻⁶ of the size, a degree apart, have occurred in one pair of ten thousand.
+const CLOSE: f64 = 1e-5;
+/// The most corners of the polytope. Of cylinders with one axis 60 leave ways out unseen.
+const MOST: usize = 120;
 /// A thickness below which a polytope is flat, relative to its size.
 const FLAT: f64 = 1e-14;
 /// The most directions besides the best one.
