@@ -313,11 +313,11 @@ fn leash<C: Scalar<Mask = bool>>(
         let (mut diagonal, mut left) = (None, None);
         let (from, mut to) = (first, first);
         let mut is_first = true;
-        for j in from..m {
+        for (j, place) in row.iter_mut().enumerate().skip(from) {
             if j > end && left.is_none() && i > 0 {
                 break;
             }
-            let up = if i > 0 && j < end { row[j] } else { None };
+            let up = if i > 0 && j < end { *place } else { None };
             let before = [diagonal, up, left].into_iter().flatten();
             let shortest = before.reduce(|x, y| if y.0.below(x.0) { y } else { x });
             let own = cost(i, j);
@@ -326,7 +326,7 @@ fn leash<C: Scalar<Mask = bool>>(
                 Some(before) if own.at_most(before.0) => before,
                 _ => (own, [i as u32, j as u32]),
             });
-            (diagonal, left, row[j]) = (up, found, found);
+            (diagonal, left, *place) = (up, found, found);
             if found.is_some() {
                 if is_first {
                     (first, is_first) = (j, false);

@@ -7,6 +7,7 @@ mod arm;
 mod arm_clearance;
 #[path = "../../examples/refine_detections/assign.rs"]
 mod assign;
+#[expect(dead_code, reason = "tests need a part of the program")]
 #[path = "../../examples/peg_in_hole/bodies.rs"]
 mod bodies;
 mod calibrate;
@@ -15,6 +16,7 @@ mod embedded;
 mod first;
 #[cfg(feature = "gpu")]
 mod gpu_batch;
+#[expect(dead_code, reason = "tests need a part of the program")]
 #[path = "../../examples/peg_in_hole/insertion.rs"]
 mod insertion;
 mod iou_csv;
