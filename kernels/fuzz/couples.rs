@@ -12,6 +12,8 @@ use crate::kernels::row::op::Extremes;
 /// limit of aspects.
 const ROUNDINGS: f64 = 64.0;
 const LIMIT: f64 = 1e20;
+/// The same for distances, times the largest coordinate or length: searches over curved bodies are exact to 10⁻¹³ of it.
+const OF_DISTANCES: f64 = 512.0;
 
 impl<T: Real> Job<T> {
     /// Tests pairs that are certainly apart, since their numbers bound them along x or y.
@@ -141,14 +143,14 @@ impl<T: Real> Job<T> {
         let sides = [0, 1].map(|s| self.shapes[s].rules.sides(numbers(s)));
         let is_measure = matches!(self.declared.extremes, Extremes::Shared);
         if power > 0 && !is_measure {
-            // A distance changes by a rounding of the coordinates.
+            // A distance changes by roundings of the coordinates.
             let all = [0, 1].map(numbers);
             let all = all.iter().flat_map(|x| x.iter()).zip(&self.kinds);
             let largest = all.fold(0.0_f64, |m, (x, kind)| match kind.is_length() {
                 true => m.max(x.widen().abs()),
                 false => m,
             });
-            return ROUNDINGS * largest.powi(power);
+            return OF_DISTANCES * largest.powi(power);
         }
         if sides.iter().any(Vec::is_empty) {
             return f64::INFINITY;

@@ -202,7 +202,8 @@ fn a_function_has_what_it_needs_and_no_more() {
     assert_eq!(source.matches("(program_sin_cos(").count(), 1, "{source}");
     assert_eq!(source.matches("= program_sin(").count(), 1, "{source}");
     assert!(!source.contains("program_cos("), "{source}");
-    assert!(!both.cuda("both").unwrap().contains("program_sin_cos"));
+    let kernel = both.cuda("both").unwrap();
+    assert_eq!(kernel.matches("(program_sin_cos(").count(), 1, "{kernel}");
     for name in [
         "int",
         "float",
