@@ -18,7 +18,9 @@ pub(super) fn area<S: Scalar>(corners: &[Vec3<S>], plane: Other<'_, S>, found: &
         }
     }
     let share = if found.twice { 0.25 } else { 0.5 };
-    twice.dot(normal.normalize_or_zero()) * S::lit(share)
+    let area = twice.dot(normal.normalize_or_zero()) * S::lit(share);
+    // Beside a corner the area is of the size of its roundings, and they may have the other sign.
+    S::select(area.below(S::zero()), S::zero(), area)
 }
 
 /// Returns the corners of the polygon in which a plane cuts a body, counter-clockwise seen from outside the half-space.
