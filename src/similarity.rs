@@ -79,7 +79,7 @@ impl<'a, S: Scalar> Outline<'a, S> {
 /// The vertex of one outline that is farthest from the other one, and the edge there that is nearest to it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FarthestVertex {
-    /// Whether the vertex is of the second outline, and the edge of the first one.
+    /// `true` for a vertex of the second outline and an edge of the first one.
     pub of_second: bool,
     /// The place of the vertex.
     pub vertex: usize,

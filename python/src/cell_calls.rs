@@ -40,6 +40,24 @@ fn bars<'py>(py: Python<'py>, found: DiagramBars<f64>) -> PyResult<Bars<'py>> {
     ))
 }
 
+/// Rows, columns and values of a sparse matrix, the numbers of a block after each other.
+type Sparse<'py> = (
+    Bound<'py, PyArray1<i64>>,
+    Bound<'py, PyArray1<i64>>,
+    Bound<'py, PyArray1<f64>>,
+);
+fn sparse<'py, T: Copy, N: IntoIterator<Item = f64>>(
+    py: Python<'py>,
+    all: &[(usize, usize, T)],
+    numbers: impl Fn(T) -> N,
+) -> Sparse<'py> {
+    (
+        PyArray1::from_iter(py, all.iter().map(|own| own.0 as i64)),
+        PyArray1::from_iter(py, all.iter().map(|own| own.1 as i64)),
+        PyArray1::from_iter(py, all.iter().flat_map(|own| numbers(own.2))),
+    )
+}
+
 impl CellsCore {
     fn with<R: Send>(
         &self,
@@ -132,42 +150,14 @@ impl CellsCore {
         bars(py, found)
     }
     /// Returns rows, columns and values of the derivatives of areas by weights.
-    #[expect(clippy::type_complexity, reason = "three arrays")]
-    fn area_slopes<'py>(
-        &self,
-        py: Python<'py>,
-    ) -> PyResult<(
-        Bound<'py, PyArray1<i64>>,
-        Bound<'py, PyArray1<i64>>,
-        Bound<'py, PyArray1<f64>>,
-    )> {
+    fn area_slopes<'py>(&self, py: Python<'py>) -> PyResult<Sparse<'py>> {
         let all = self.with(py, |cells| cells.area_slopes())?;
-        let rows = all.iter().map(|own| own.0 as i64).collect();
-        let columns = all.iter().map(|own| own.1 as i64).collect();
-        let values = all.iter().map(|own| own.2).collect();
-        Ok((
-            PyArray1::from_vec(py, rows),
-            PyArray1::from_vec(py, columns),
-            PyArray1::from_vec(py, values),
-        ))
+        Ok(sparse(py, &all, |slope| [slope]))
     }
     /// Returns rows, columns and blocks, of nine numbers each, of the Hessian of the energy by x, y and weight of sites.
-    #[expect(clippy::type_complexity, reason = "three arrays")]
-    fn energy_hessian<'py>(
-        &self,
-        py: Python<'py>,
-    ) -> PyResult<(
-        Bound<'py, PyArray1<i64>>,
-        Bound<'py, PyArray1<i64>>,
-        Bound<'py, PyArray1<f64>>,
-    )> {
+    fn energy_hessian<'py>(&self, py: Python<'py>) -> PyResult<Sparse<'py>> {
         let all = self.with(py, |cells| cells.energy_hessian())?;
-        let blocks = all.iter().flat_map(|own| own.2.into_iter().flatten());
-        Ok((
-            PyArray1::from_iter(py, all.iter().map(|own| own.0 as i64)),
-            PyArray1::from_iter(py, all.iter().map(|own| own.1 as i64)),
-            PyArray1::from_iter(py, blocks),
-        ))
+        Ok(sparse(py, &all, |block| block.into_iter().flatten()))
     }
     /// Returns whether each site has no cell.
     fn hidden<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<bool>> {

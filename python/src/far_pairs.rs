@@ -8,8 +8,8 @@ use pyo3::prelude::*;
 
 type Object<'py> = Bound<'py, PyAny>;
 
-/// What decides a distance: whether the vertex is of `b`, the place of it, and the places of the ends of the edge, or of
-/// the vertex, of the other column.
+/// The vertex and the edge that decide a distance: `true` for a vertex of `b`, its place, and the places of both ends of
+/// the edge of the other column, which are one for a vertex.
 type Decided = (bool, [i64; 3]);
 
 /// For each item Hausdorff's distance, with `is_leash` Fréchet's, NaN without vertices; whether the vertex that decides it

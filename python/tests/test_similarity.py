@@ -67,7 +67,7 @@ def test_gradients_are_those_of_differences(verb):
     ]
     sums = [np.add.reduceat((by * way).sum(1), own.offsets[:-1]) for by, way, own in zip((by_a, by_b), ways, (a, b))]
     np.testing.assert_allclose(sum(sums), (moved[0] - moved[1]) / (2 * step), atol=1e-6)
-    # What moves both moves neither apart.
+    # A translation of both changes no distance.
     np.testing.assert_allclose(by_a.sum(0) + by_b.sum(0), 0, atol=1e-12)
     bars = rng.normal(size=len(value))
     for found, by, own in zip(verb.vjp(a, b, bars), (by_a, by_b), (a, b)):

@@ -6,7 +6,7 @@ use crate::Vec3;
 use crate::mesh::{EightLanes, MeshTree, PACKET, SearchRoom, bound_squares, margin, part_of};
 use std::collections::BinaryHeap;
 
-/// What a search keeps.
+/// The points that a search keeps.
 pub enum Reach {
     /// Points up to a squared distance, in the frame of the tree.
     Within(f32),

@@ -49,7 +49,7 @@ fn clearances_have_the_derivatives_of_differences() {
         for (i, near) in found.iter().enumerate() {
             let up = (above[i].clearance - near.clearance) / step;
             let down = (near.clearance - below[i].clearance) / step;
-            // Where both sides differ, another time or another feature is nearest.
+            // Another time or another feature is nearest where both sides differ.
             if (up - down).abs() > 1e-2 {
                 continue;
             }

@@ -93,8 +93,7 @@ fn the_farthest_vertex_is_that_of_enumeration() {
     }
 }
 
-/// Whether walkers with a leash of a squared length reach the ends: by all places that they can reach, not by sums of the
-/// way there.
+/// Returns `true` if walkers with a leash of a squared length reach the ends, by all places that they can reach.
 fn reaches(a: &[[i128; 2]], b: &[[i128; 2]], square: i128) -> bool {
     let is_near = |i: usize, j: usize| squared(a[i], [b[j], b[j]])[0] <= square;
     let (mut left, mut seen) = (vec![(0, 0)], vec![false; a.len() * b.len()]);
