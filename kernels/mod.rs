@@ -101,6 +101,7 @@ pub use verbs::*;
 pub mod __private {
     pub use crate::kernels::call::modes::Function;
     pub use crate::kernels::call::recording::Call;
+    pub use crate::kernels::call::search::Searches;
     pub use crate::kernels::row::declares::argument;
     pub use crate::kernels::row::item::layout::{Item, Leaf, Target, leaf, target};
     pub use crate::kernels::row::op::{

@@ -207,6 +207,11 @@ class Mesh:
 
         A ray that misses has the parameter inf and the face -1.
         """
+    def all_hits(self, starts: ArrayLike, directions: ArrayLike) -> tuple[Array, Array, Array]:
+        """Every face that each ray meets: parameters, indices of rays and indices of faces, ray by ray in the order of parameters.
+
+        A ray through an edge or a vertex meets every face there that is not edge-on.
+        """
 
 class Cloud:
     """Points of space with a tree that is built once and serves all calls."""

@@ -280,7 +280,7 @@ impl<D: HintedSearch> Searched<D> {
 }
 
 /// A function of batches that is a search.
-pub(crate) trait Searches {
+pub trait Searches {
     /// The search.
     type Search: HintedSearch;
 }

@@ -224,6 +224,23 @@ impl Cpu {
         Ok(first_of_all(surface, rays))
     }
 
+    /// Returns the faces that each ray meets, in the order of [`MeshSurface::all_hits`].
+    ///
+    /// # Errors
+    ///
+    /// As [`hit_faces`](Cpu::hit_faces).
+    pub fn all_hit_faces<T: Real>(
+        &self,
+        surface: &MeshSurface<'_, T>,
+        rays: &[Ray3<T>],
+    ) -> Result<Vec<Vec<u32>>, Error> {
+        check("rays", rays)?;
+        Ok(each(rays.len(), Vec::new(), |i| {
+            let hits = surface.all_hits(rays[i]);
+            hits.into_iter().map(|hit| hit.face).collect()
+        }))
+    }
+
     /// Returns where each ray meets the face that a search gave.
     ///
     /// # Errors

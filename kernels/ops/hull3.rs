@@ -1,6 +1,6 @@
 //! Distances of convex hulls of space as operations, with a search.
 use crate::distance3::hulls::{
-    HullRecord, by_shape, by_vertices, corner_slopes, hulls_replay, hulls_search,
+    ByCorners, HullRecord, by_vertices, corner_slopes, hulls_replay, hulls_search,
 };
 use crate::distance3::{Apart, Contact3, PointPair3};
 use crate::kernels::verbs::{ClosestPoints, Distance, Penetration, SignedDistance};
@@ -52,8 +52,7 @@ macro_rules! by_first {
     (adjoint $A:ident $replay:ident, $a:ident, $b:ident, $record:ident, $bar:ident) => {{
         let found = corner_slopes(&$a, &$b, $record, |found| by_first!(factor $replay, found, $bar));
         let factor = by_first!(factor $replay, (&found.relation), $bar);
-        let height = |shape: $A<_>| by_shape(&shape, &found.by_a, found.relation.normal, factor);
-        let (_, by_a) = crate::ad::gradient(height, $a);
+        let by_a = $a.by_corners(&found.by_a, found.relation.normal, factor);
         Some((found.relation.$replay(), (by_a, by_vertices(&$b, &found.by_b))))
     }};
     // The distance of shapes that touch or overlap is constant.

@@ -1,8 +1,11 @@
 //! Every row of geograd's list in both formats, and rows of methods that have no verb in the library: a crate of its own,
 //! so that a change of the binding compiles none of them.
 #![forbid(unsafe_code)]
+mod bodies;
 mod encodings;
+mod motions;
 mod poses;
+mod scores;
 mod solids;
 
 use geograd::kernels::dynamic::{self, Name, Operation, straight};
@@ -27,6 +30,12 @@ own! {
     "convert": encodings::OfCxcywh;
     "convert": encodings::ToXywh;
     "convert": encodings::ToCxcywh;
+    "between": motions::Between;
+    "screw": motions::Screw;
+    "pose_at": motions::PoseAt;
+    "ciou_fixed_weight": scores::OfAabb3;
+    "ciou_fixed_weight": scores::OfYawBox3;
+    "ciou_fixed_weight": scores::OfObb3;
     "from_rotation_vector": poses::FromRotationVector;
     "rotation_vector": poses::RotationVector;
     "left_jacobian": poses::LeftJacobian;
@@ -79,6 +88,13 @@ own! {
     "support": solids::SupportOfEllipsoid;
 }
 
+/// The rows of this crate, each with its verb.
+fn own() -> impl Iterator<Item = (&'static str, Operation)> {
+    let searches = bodies::ROWS.iter();
+    let searches = searches.flat_map(|&(verb, rows)| rows.iter().map(move |&row| (verb, row)));
+    OWN.iter().copied().chain(searches)
+}
+
 /// Every operation of the list, then those of this crate.
 #[must_use]
 // Inlined, it would compile every row in the crate that calls it.
@@ -86,7 +102,7 @@ own! {
 pub fn operations() -> &'static [Operation] {
     static ALL: OnceLock<Vec<Operation>> = OnceLock::new();
     ALL.get_or_init(|| {
-        let own = OWN.iter().map(|&(_, operation)| operation);
+        let own = own().map(|(_, operation)| operation);
         dynamic::operations().iter().copied().chain(own).collect()
     })
 }
@@ -94,9 +110,9 @@ pub fn operations() -> &'static [Operation] {
 /// The names of all operations, in any order.
 #[must_use]
 pub fn names() -> Vec<Name> {
-    let own = OWN.iter().map(|(verb, operation)| Name {
+    let own = own().map(|(verb, operation)| Name {
         row: operation.name,
-        verb: (*verb).to_owned(),
+        verb: verb.to_owned(),
         shapes: Vec::new(),
         spelling: operation.name.to_owned(),
     });

@@ -336,6 +336,25 @@ impl MeshCore {
         let face = |face: Option<u32>| face.map_or(-1, i64::from);
         Ok(PyArray1::from_vec(py, found.into_iter().map(face).collect()).into_any())
     }
+    /// All hits of rays: the ray and the face of each, ray by ray in the order of parameters.
+    fn all_hit_faces<'py>(
+        &self,
+        py: Python<'py>,
+        starts: &Object<'py>,
+        directions: &Object<'py>,
+    ) -> PyResult<Object<'py>> {
+        let rays = rays(starts, directions)?;
+        let found = self.surface(py, rays.len(), |surface| {
+            Cpu::new().all_hit_faces(surface, &rays)
+        })?;
+        let (mut of, mut faces) = (Vec::new(), Vec::new());
+        for (ray, own) in (0_i64..).zip(found) {
+            of.resize(of.len() + own.len(), ray);
+            faces.extend(own.into_iter().map(i64::from));
+        }
+        let both = (PyArray1::from_vec(py, of), PyArray1::from_vec(py, faces));
+        Ok(both.into_pyobject(py)?.into_any())
+    }
     /// The parameters of hits, infinite for a miss, or the cotangents of starts, directions and vertices from those of
     /// parameters.
     #[pyo3(signature = (starts, directions, faces, upstream=None))]

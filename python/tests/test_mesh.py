@@ -90,6 +90,13 @@ def test_a_mesh_of_trimesh_gives_what_trimesh_gives():
     parameters, found = mesh.rays(POINTS, directions)
     assert sorted(rays) == np.flatnonzero(found >= 0).tolist()
     np.testing.assert_allclose((POINTS + parameters[:, None] * directions)[rays], hits, rtol=1e-7, atol=1e-7)
+    _, theirs, met = other.ray.intersects_location(POINTS, directions, multiple_hits=True)
+    every, rays, faces = mesh.all_hits(POINTS, directions)
+    assert sorted(zip(rays, faces)) == sorted(zip(theirs, met)) and len(rays) > len(hits)
+    assert (np.diff(rays) >= 0).all() and (np.diff(every)[np.diff(rays) == 0] >= 0).all()
+    # The first of a ray is its first hit.
+    first = np.flatnonzero(np.diff(rays, prepend=-1))
+    assert (every[first] == parameters[rays[first]]).all()
 
 
 def test_moved_vertices_take_the_tree_along():
@@ -165,6 +172,12 @@ def test_gradients_of_rays_are_those_of_differences():
         return geograd.torch.Mesh(vertices, faces).rays(starts, directions)[0][hit]
 
     assert torch.autograd.gradcheck(query, (starts, directions, vertices), eps=1e-7, atol=1e-5)
+
+    def last(starts, directions, vertices):
+        return geograd.torch.Mesh(vertices, faces).all_hits(starts, directions)[0]
+
+    assert last(starts, directions, vertices).numel() > hit.sum()
+    assert torch.autograd.gradcheck(last, (starts, directions, vertices), eps=1e-7, atol=1e-5)
     # Misses have no part in derivatives, in single precision neither.
     away = torch.tensor([[3.0, 0.0, 0.0]], requires_grad=True)
     values, indices = geograd.torch.Mesh(vertices, faces).rays(away, away)

@@ -30,6 +30,8 @@ struct Sample<P> {
     apart: P,
     /// The direction of its gap.
     normal: Vec3<P>,
+    /// The change of the distance with time.
+    rate: P,
 }
 
 /// The least distance so far, and how far from its time others were taken.
@@ -65,6 +67,7 @@ where
             time,
             apart: relation.apart,
             normal: relation.normal,
+            rate: self.pair.rate(time, &relation),
         }
     }
     /// Returns the part between two times, bounded by the gaps along the directions of both ends, and along the
@@ -169,10 +172,11 @@ impl<P: Scalar<Mask = bool>> Least<P> {
     }
 }
 
-/// The share of a bracket that the golden section keeps: (√5 − 1)/2.
-const GOLDEN: f64 = 0.618_033_988_749_894_9;
-/// The number of times that it divides: it ends at a rounding of the time.
-const SECTIONS: usize = 80;
+/// The largest number of distances that the end of the search takes: every third one halves the time in question, so
+/// that it ends at a rounding.
+const TRIALS: usize = 160;
+/// The number of roundings of the largest speed that a rate of zero may have.
+const STILL: f64 = 8.0;
 
 impl<P, A, B> Search<'_, P, A, B>
 where
@@ -180,33 +184,47 @@ where
     A: Body3<Scalar = P> + Decided<B>,
     B: Body3<Scalar = P>,
 {
-    /// Returns the time of the least distance near a sample, by the golden section.
+    /// Returns the time of the least distance near a sample, between a time at which the distance falls and one at which
+    /// it rises.
+    ///
+    /// Where the distance is smooth, its rate is zero there: the secant of both rates leads to it. Where one distance
+    /// takes the place of another, tangents of both sides meet there.
     fn refined(&mut self, least: &Least<P>) -> P {
         let (time, width) = (least.sample.time, least.width);
-        let mut low = (time - width).most(P::zero());
-        let mut high = (time + width).least(P::one());
+        let still = self.bounds.speed * P::rounding(STILL, 1);
+        let rounding = self.bounds.rounding();
         let mut best = least.sample;
-        let inner = |low: P, high: P, share: f64| low + (high - low) * P::lit(share);
-        let mut left = self.sample(inner(low, high, 1.0 - GOLDEN));
-        let mut right = self.sample(inner(low, high, GOLDEN));
-        for _ in 0..SECTIONS {
-            for sample in [left, right] {
-                if sample.apart.below(best.apart) {
-                    best = sample;
+        let mut low = self.sample((time - width).most(P::zero()));
+        let mut high = self.sample((time + width).least(P::one()));
+        let mut next = best;
+        for trial in 0..TRIALS {
+            // Distances that differ by their rounding are told from each other by rates.
+            if next.apart.at_most(best.apart + rounding) {
+                best = next;
+                if best.rate.unsigned().at_most(still) {
+                    break;
                 }
+                match best.rate.below(P::zero()) {
+                    true => low = best,
+                    false => high = best,
+                }
+            } else if next.time.below(best.time) {
+                low = next;
+            } else {
+                high = next;
             }
-            if (high - low).at_most(P::rounding(2.0, 1)) {
+            let width = high.time - low.time;
+            if width.at_most(P::rounding(2.0, 1)) {
                 break;
             }
-            if right.apart.below(left.apart) {
-                low = left.time;
-                left = right;
-                right = self.sample(inner(low, high, GOLDEN));
-            } else {
-                high = right.time;
-                right = left;
-                left = self.sample(inner(low, high, 1.0 - GOLDEN));
-            }
+            let way = match trial % 3 {
+                0 => width * low.rate.over(low.rate - high.rate),
+                1 => (low.apart - high.apart + high.rate * width).over(high.rate - low.rate),
+                _ => width.halved(),
+            };
+            let is_between = way.above(P::zero()) && way.below(width);
+            let way = if is_between { way } else { width.halved() };
+            next = self.sample(low.time + way);
         }
         best.time
     }

@@ -200,6 +200,11 @@ class Mesh:
 
         A ray that misses has the parameter inf and the face -1.
         """
+    def all_hits(self, starts: ArrayLike, directions: ArrayLike) -> tuple[Array, Array, Array]:
+        """Every face that each ray meets: parameters, indices of rays and indices of faces, ray by ray in the order of parameters.
+
+        A ray through an edge or a vertex meets every face there that is not edge-on.
+        """
 
 class Cloud:
     """Points of space with a tree that is built once and serves all calls."""
@@ -1092,6 +1097,81 @@ class Contact3(Shape):
     @property
     def direction(self) -> Vec3: ...
 
+class Contacts3(Shape):
+    """The contact of two shapes: the direction from a to b in which they must part, and up to eight pairs
+    of points.
+
+    An array whose last axis has its numbers, in this order:
+
+        normal.x: part of a direction
+        normal.y: part of a direction
+        normal.z: part of a direction
+        count: how many pairs of points there are; the others are zero
+        points[0].on_a.x: coordinate
+        points[0].on_a.y: coordinate
+        points[0].on_a.z: coordinate
+        points[0].on_b.x: coordinate
+        points[0].on_b.y: coordinate
+        points[0].on_b.z: coordinate
+        points[0].gap: number
+        points[1].on_a.x: coordinate
+        points[1].on_a.y: coordinate
+        points[1].on_a.z: coordinate
+        points[1].on_b.x: coordinate
+        points[1].on_b.y: coordinate
+        points[1].on_b.z: coordinate
+        points[1].gap: number
+        points[2].on_a.x: coordinate
+        points[2].on_a.y: coordinate
+        points[2].on_a.z: coordinate
+        points[2].on_b.x: coordinate
+        points[2].on_b.y: coordinate
+        points[2].on_b.z: coordinate
+        points[2].gap: number
+        points[3].on_a.x: coordinate
+        points[3].on_a.y: coordinate
+        points[3].on_a.z: coordinate
+        points[3].on_b.x: coordinate
+        points[3].on_b.y: coordinate
+        points[3].on_b.z: coordinate
+        points[3].gap: number
+        points[4].on_a.x: coordinate
+        points[4].on_a.y: coordinate
+        points[4].on_a.z: coordinate
+        points[4].on_b.x: coordinate
+        points[4].on_b.y: coordinate
+        points[4].on_b.z: coordinate
+        points[4].gap: number
+        points[5].on_a.x: coordinate
+        points[5].on_a.y: coordinate
+        points[5].on_a.z: coordinate
+        points[5].on_b.x: coordinate
+        points[5].on_b.y: coordinate
+        points[5].on_b.z: coordinate
+        points[5].gap: number
+        points[6].on_a.x: coordinate
+        points[6].on_a.y: coordinate
+        points[6].on_a.z: coordinate
+        points[6].on_b.x: coordinate
+        points[6].on_b.y: coordinate
+        points[6].on_b.z: coordinate
+        points[6].gap: number
+        points[7].on_a.x: coordinate
+        points[7].on_a.y: coordinate
+        points[7].on_a.z: coordinate
+        points[7].on_b.x: coordinate
+        points[7].on_b.y: coordinate
+        points[7].on_b.z: coordinate
+        points[7].gap: number
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def normal(self) -> Vec3: ...
+    @property
+    def count(self) -> Any: ...
+    @property
+    def points(self) -> list[Any]: ...
+
 class ConvexPolygon5(Shape):
     """A convex polygon of up to 5 vertices, in counter-clockwise order. The last number is how many
     vertices count; those after them are not read.
@@ -1403,6 +1483,31 @@ class ImageBox(Shape):
     @property
     def heading(self) -> Any: ...
 
+class Impact3(Shape):
+    """The first touch of two moving bodies: its time, the place on the first body, and the direction in
+    which the second one is in the way.
+
+    An array whose last axis has its numbers, in this order:
+
+        time: time from 0 to 1; the largest finite number for a miss
+        point.x: coordinate
+        point.y: coordinate
+        point.z: coordinate
+        normal.x: part of a direction
+        normal.y: part of a direction
+        normal.z: part of a direction
+        kind: 0 for a miss, 1 for an impact, 2 where the bodies touch at time 0
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def time(self) -> Any: ...
+    @property
+    def point(self) -> Vec3: ...
+    @property
+    def normal(self) -> Vec3: ...
+    @property
+    def kind(self) -> Any: ...
+
 class Interval(Shape):
     """An interval of numbers.
 
@@ -1540,6 +1645,30 @@ class Line3(Shape):
     def point(self) -> Vec3: ...
     @property
     def direction(self) -> Vec3: ...
+
+class Motion3(Shape):
+    """A motion of a body from time 0 to time 1: the centre of its turn at time 0, the way of that centre,
+    and the turn as a rotation vector in radians.
+
+    An array whose last axis has its numbers, in this order:
+
+        center.x: coordinate
+        center.y: coordinate
+        center.z: coordinate
+        velocity.x: part of a direction
+        velocity.y: part of a direction
+        velocity.z: part of a direction
+        turn.x: part of a rotation vector in radians
+        turn.y: part of a rotation vector in radians
+        turn.z: part of a rotation vector in radians
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def center(self) -> Vec3: ...
+    @property
+    def velocity(self) -> Vec3: ...
+    @property
+    def turn(self) -> Vec3: ...
 
 class NuScenesBox(Shape):
     """A box of nuScenes: the centre, width, length, height, and the rotation as a quaternion (w, x, y, z)
@@ -2379,6 +2508,20 @@ class _axes(Verb):
 
 axes: _axes
 
+class _between(Verb):
+    """The motion from one pose to another at constant velocity and turn: the origin moves along a straight line. It jumps at half turns.
+
+    Rows:
+        between(start: Pose3, end: Pose3) -> Motion3
+    """
+    @overload
+    def __call__(self, start: Pose3, end: Pose3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Motion3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
+
+between: _between
+
 class _bhattacharyya(Verb):
     """The Bhattacharyya distance of two rotated boxes as Gaussians whose standard deviations are half the sizes.
 
@@ -2564,13 +2707,25 @@ class _ciou_fixed_weight(Verb):
 
     Rows:
         ciou_fixed_weight(a: Aabb2, b: Aabb2) -> number
+        ciou_fixed_weight(a: Aabb3, b: Aabb3) -> number
+            The complete IoU whose weight counts as a constant: the value is that of ciou, the derivatives leave the weight's out.
         ciou_fixed_weight(a: Obb2, b: Obb2) -> number
             The complete IoU of two rotated boxes, its weight a constant in the gradient.
+        ciou_fixed_weight(a: Obb3, b: Obb3) -> number
+            The complete IoU whose weight counts as a constant: the value is that of ciou, the derivatives leave the weight's out.
+        ciou_fixed_weight(a: YawBox3, b: YawBox3) -> number
+            The complete IoU whose weight counts as a constant: the value is that of ciou, the derivatives leave the weight's out.
     """
     @overload
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
     def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
@@ -2618,6 +2773,40 @@ class _circumcircle(Verb):
     def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 circumcircle: _circumcircle
+
+class _clearance(Verb):
+    """The least signed distance of two capsules of space along their motions. Hulls have up to N vertices. Its time is of Clearance3.
+
+    Rows:
+        clearance(a: Capsule3, motion_of_a: Motion3, b: Capsule3, motion_of_b: Motion3) -> number
+        clearance(a: Capsule3, motion_of_a: Motion3, b: Obb3, motion_of_b: Motion3) -> number
+            The least signed distance of a capsule of space and a box of any orientation along their motions. Hulls have up to N vertices. Its time is of Clearance3.
+        clearance(a: Hull3_8, motion_of_a: Motion3, b: Hull3_8, motion_of_b: Motion3) -> number
+            The least signed distance of two convex hulls along their motions. Hulls have up to N vertices. Its time is of Clearance3.
+        clearance(a: Obb3, motion_of_a: Motion3, b: Obb3, motion_of_b: Motion3) -> number
+            The least signed distance of two boxes of any orientation along their motions. Hulls have up to N vertices. Its time is of Clearance3.
+        clearance(a: Sphere, motion_of_a: Motion3, b: Obb3, motion_of_b: Motion3) -> number
+            The least signed distance of a ball and a box of any orientation along their motions. Hulls have up to N vertices. Its time is of Clearance3.
+        clearance(a: Vec3, motion_of_a: Motion3, b: Obb3, motion_of_b: Motion3) -> number
+            The least signed distance of a point and a box of any orientation along their motions. Hulls have up to N vertices. Its time is of Clearance3.
+    """
+    @overload
+    def __call__(self, a: Capsule3, motion_of_a: Motion3, b: Capsule3, motion_of_b: Motion3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Capsule3, motion_of_a: Motion3, b: Obb3, motion_of_b: Motion3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Hull3_8, motion_of_a: Motion3, b: Hull3_8, motion_of_b: Motion3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, motion_of_a: Motion3, b: Obb3, motion_of_b: Motion3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Sphere, motion_of_a: Motion3, b: Obb3, motion_of_b: Motion3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Vec3, motion_of_a: Motion3, b: Obb3, motion_of_b: Motion3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
+
+clearance: _clearance
 
 class _closest_points(Verb):
     """The nearest points of two shapes. They jump where another feature becomes the nearest.
@@ -2741,6 +2930,40 @@ class _closest_points(Verb):
     def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 closest_points: _closest_points
+
+class _contacts(Verb):
+    """The contact of a capsule of space and a box of any orientation: up to eight points whose gap is at most within. Hulls have up to N vertices. Places from the count on are zero.
+
+    Rows:
+        contacts(capsule: Capsule3, shape: Obb3, within: number) -> Contacts3
+        contacts(a: Hull3_8, b: Hull3_8, within: number) -> Contacts3
+            The contact of two convex hulls: up to eight points whose gap is at most within. Hulls have up to N vertices. Places from the count on are zero.
+        contacts(shape: Obb3, hull: Hull3_8, within: number) -> Contacts3
+            The contact of a box of any orientation and a convex hull: up to eight points whose gap is at most within. Hulls have up to N vertices. Places from the count on are zero.
+        contacts(a: Obb3, b: Obb3, within: number) -> Contacts3
+            The contact of two boxes of any orientation: up to eight points whose gap is at most within. Hulls have up to N vertices. Places from the count on are zero.
+        contacts(plane: Plane3, shape: Obb3, within: number) -> Contacts3
+            The contact of a half-space and a box of any orientation: up to eight points whose gap is at most within. Hulls have up to N vertices. Places from the count on are zero.
+        contacts(ball: Sphere, shape: Obb3, within: number) -> Contacts3
+            The contact of a ball and a box of any orientation: up to eight points whose gap is at most within. Hulls have up to N vertices. Places from the count on are zero.
+    """
+    @overload
+    def __call__(self, capsule: Capsule3, shape: Obb3, within: ArrayLike, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contacts3: ...
+    @overload
+    def __call__(self, a: Hull3_8, b: Hull3_8, within: ArrayLike, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contacts3: ...
+    @overload
+    def __call__(self, shape: Obb3, hull: Hull3_8, within: ArrayLike, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contacts3: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, within: ArrayLike, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contacts3: ...
+    @overload
+    def __call__(self, plane: Plane3, shape: Obb3, within: ArrayLike, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contacts3: ...
+    @overload
+    def __call__(self, ball: Sphere, shape: Obb3, within: ArrayLike, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contacts3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
+
+contacts: _contacts
 
 class _convert(Verb):
     """The same box in another convention, which `to` names where there are several.
@@ -4756,6 +4979,20 @@ class _planes(Verb):
 
 planes: _planes
 
+class _pose_at(Verb):
+    """The pose that takes a body from its place at time 0 to that at a time.
+
+    Rows:
+        pose_at(motion: Motion3, time: number) -> Pose3
+    """
+    @overload
+    def __call__(self, motion: Motion3, time: ArrayLike, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Pose3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
+
+pose_at: _pose_at
+
 class _probiou(Verb):
     """The probabilistic IoU of two rotated boxes as Gaussians of the variance of uniform boxes, size²/12: 0 to 1.
 
@@ -4856,6 +5093,20 @@ class _rotation_vector(Verb):
     def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, Array]: ...
 
 rotation_vector: _rotation_vector
+
+class _screw(Verb):
+    """The motion from one pose to another along a screw: a turn about one axis and a shift along it. It jumps at half turns.
+
+    Rows:
+        screw(start: Pose3, end: Pose3) -> Motion3
+    """
+    @overload
+    def __call__(self, start: Pose3, end: Pose3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Motion3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
+
+screw: _screw
 
 class _second_moments(Verb):
     """The second moments of areas or of points.
@@ -5547,6 +5798,40 @@ class _tangent_to(Verb):
     def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
 
 tangent_to: _tangent_to
+
+class _time_of_impact(Verb):
+    """The first touch of two capsules of space in motion. Hulls have up to N vertices. The time of a miss is the largest finite number.
+
+    Rows:
+        time_of_impact(a: Capsule3, motion_of_a: Motion3, b: Capsule3, motion_of_b: Motion3) -> Impact3
+        time_of_impact(a: Capsule3, motion_of_a: Motion3, b: Obb3, motion_of_b: Motion3) -> Impact3
+            The first touch of a capsule of space and a box of any orientation in motion. Hulls have up to N vertices. The time of a miss is the largest finite number.
+        time_of_impact(a: Hull3_8, motion_of_a: Motion3, b: Hull3_8, motion_of_b: Motion3) -> Impact3
+            The first touch of two convex hulls in motion. Hulls have up to N vertices. The time of a miss is the largest finite number.
+        time_of_impact(a: Obb3, motion_of_a: Motion3, b: Obb3, motion_of_b: Motion3) -> Impact3
+            The first touch of two boxes of any orientation in motion. Hulls have up to N vertices. The time of a miss is the largest finite number.
+        time_of_impact(a: Sphere, motion_of_a: Motion3, b: Obb3, motion_of_b: Motion3) -> Impact3
+            The first touch of a ball and a box of any orientation in motion. Hulls have up to N vertices. The time of a miss is the largest finite number.
+        time_of_impact(a: Vec3, motion_of_a: Motion3, b: Obb3, motion_of_b: Motion3) -> Impact3
+            The first touch of a point and a box of any orientation in motion. Hulls have up to N vertices. The time of a miss is the largest finite number.
+    """
+    @overload
+    def __call__(self, a: Capsule3, motion_of_a: Motion3, b: Capsule3, motion_of_b: Motion3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Impact3: ...
+    @overload
+    def __call__(self, a: Capsule3, motion_of_a: Motion3, b: Obb3, motion_of_b: Motion3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Impact3: ...
+    @overload
+    def __call__(self, a: Hull3_8, motion_of_a: Motion3, b: Hull3_8, motion_of_b: Motion3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Impact3: ...
+    @overload
+    def __call__(self, a: Obb3, motion_of_a: Motion3, b: Obb3, motion_of_b: Motion3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Impact3: ...
+    @overload
+    def __call__(self, a: Sphere, motion_of_a: Motion3, b: Obb3, motion_of_b: Motion3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Impact3: ...
+    @overload
+    def __call__(self, a: Vec3, motion_of_a: Motion3, b: Obb3, motion_of_b: Motion3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Impact3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..., **named: Any) -> tuple[Array, tuple[Array, ...]]: ...
+
+time_of_impact: _time_of_impact
 
 class _to_6d(Verb):
     """The first two columns of a rotation's matrix: six coordinates without jumps.

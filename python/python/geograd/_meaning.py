@@ -73,6 +73,11 @@ SHAPES = {
     "Contact3": "How deep two shapes are in each other, and the direction of the shortest shift of the second one that parts them.",
     "PointPair3": "A point of each of two shapes of space.",
     "Hit3": "The first point of a ray on the border of a shape of space, and the normal there, out of the shape.",
+    "Motion3": "A motion of a body from time 0 to time 1: the centre of its turn at time 0, the way of that centre, and the "
+    "turn as a rotation vector in radians.",
+    "Impact3": "The first touch of two moving bodies: its time, the place on the first body, and the direction in which the second "
+    "one is in the way.",
+    "Contacts3": "The contact of two shapes: the direction from a to b in which they must part, and up to eight pairs of points.",
     "CommonLine3": "The line that two planes share.",
     "CommonPoint3": "The point that three planes share.",
     "Rotation3": "A rotation of space: a quaternion of any length.",
@@ -95,6 +100,9 @@ NUMBERS = {
     ("Hit", "kind"): "0 for a miss, 1 for a hit from outside, 2 from inside, where the ray leaves",
     ("Hit3", "parameter"): f"distance in lengths of the direction; {_MISS}",
     ("Hit3", "kind"): "0 for a miss, 1 for a hit from outside, 2 from inside, where the ray leaves",
+    ("Impact3", "time"): f"time from 0 to 1; {_MISS}",
+    ("Impact3", "kind"): "0 for a miss, 1 for an impact, 2 where the bodies touch at time 0",
+    ("Contacts3", "count"): "how many pairs of points there are; the others are zero",
     ("CommonPart", "kind"): "0 for nothing, 1 for a point, 2 for a segment",
     ("CommonPoint", "along_a"): "distance from a's point in lengths of its direction; 0 for parallel lines",
     ("CommonPoint", "along_b"): "distance from b's point in lengths of its direction; 0 for parallel lines",

@@ -181,3 +181,13 @@ class Mesh:
         (starts, shape), (directions, _) = _rows("starts", starts), _rows("directions", directions)
         faces = self._core.hit_faces(starts, directions)
         return self._core.parameters(starts, directions, faces).reshape(shape), faces.reshape(shape)
+
+    def all_hits(self, starts, directions):
+        """Every face that each ray meets: parameters, indices of rays and indices of faces, ray by ray in the order of parameters.
+
+        A ray through an edge or a vertex meets every face there that is not edge-on.
+        """
+        starts, directions = np.broadcast_arrays(np.asarray(starts), np.asarray(directions))
+        (starts, _), (directions, _) = _rows("starts", starts), _rows("directions", directions)
+        rays, faces = self._core.all_hit_faces(starts, directions)
+        return self._core.parameters(starts[rays], directions[rays], faces), rays, faces

@@ -55,9 +55,11 @@ class _Rays(torch.autograd.Function):
     """The parameters of hits, and the faces."""
 
     @staticmethod
-    def forward(ctx: Any, core: Any, starts: torch.Tensor, directions: torch.Tensor, vertices: torch.Tensor) -> Any:
+    def forward(
+        ctx: Any, core: Any, starts: torch.Tensor, directions: torch.Tensor, vertices: torch.Tensor, faces: Any = None
+    ) -> Any:
         rows = _array("starts", starts), _array("directions", directions)
-        faces = core.hit_faces(*rows)
+        faces = core.hit_faces(*rows) if faces is None else faces
         ctx.core, ctx.rows, ctx.faces = core, rows, faces
         ctx.save_for_backward(starts, directions, vertices)
         values = torch.from_numpy(core.parameters(*rows, faces)).to(starts.dtype).reshape(starts.shape[:-1])
@@ -72,7 +74,7 @@ class _Rays(torch.autograd.Function):
         # A miss is infinitely far whatever moves; a loss may divide by that.
         bars = np.where(ctx.faces < 0, 0.0, bars)
         parts = ctx.core.parameters(*ctx.rows, ctx.faces, bars)
-        return None, *(_like(part, own) for part, own in zip(parts, ctx.saved_tensors))
+        return None, *(_like(part, own) for part, own in zip(parts, ctx.saved_tensors)), None
 
 
 class _Winding(torch.autograd.Function):
@@ -90,7 +92,7 @@ class _Winding(torch.autograd.Function):
     def backward(ctx: Any, upstream: torch.Tensor) -> Any:
         bars = np.ascontiguousarray(upstream.detach().numpy().reshape(-1), np.float64)
         parts = ctx.core.winding(ctx.rows, bars)
-        return None, *(_like(part, own) for part, own in zip(parts, ctx.saved_tensors))
+        return None, *(_like(part, own) for part, own in zip(parts, ctx.saved_tensors)), None
 
 
 class _Centroid(torch.autograd.Function):
@@ -229,6 +231,15 @@ class Mesh:
         starts, directions = torch.broadcast_tensors(starts, directions)
         values, faces = _Rays.apply(self.column._core, starts, directions, self.vertices)
         return values, faces
+
+    def all_hits(self, starts: torch.Tensor, directions: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor, torch.Tensor]:
+        """Every face that each ray meets: parameters, indices of rays and of faces, ray by ray in the order of parameters."""
+        starts, directions = (own.reshape(-1, 3) for own in torch.broadcast_tensors(starts, directions))
+        core = self.column._core
+        rays, faces = core.all_hit_faces(_array("starts", starts), _array("directions", directions))
+        rays = torch.from_numpy(rays)
+        values, indices = _Rays.apply(core, starts[rays], directions[rays], self.vertices, faces)
+        return values, rays, indices
 
     def _nearest(self, kind: str, points: torch.Tensor) -> torch.Tensor:
         found: torch.Tensor = _Nearest.apply(self.column._core, kind, points, self.vertices)
