@@ -54,3 +54,22 @@ impl Dice {
         )
     }
 }
+
+/// A number of two texts that is the same on every machine.
+fn hash(share: &str, name: &str) -> u64 {
+    let bytes = share.bytes().chain([0]).chain(name.bytes());
+    let mixed = bytes.fold(0, |hash, byte| Dice(hash ^ u64::from(byte)).bits());
+    Dice(mixed).bits()
+}
+
+/// A slow test runs for one of so many commits.
+const TURN: u64 = 3;
+
+/// Returns `true` if a slow test takes its turn: for a third of all texts in the variable `GEOGRAD_SHARE`, such as names
+/// of commits, and always with `GEOGRAD_ALL_ROWS=1`.
+#[must_use]
+pub fn is_due(test: &str) -> bool {
+    let share = std::env::var("GEOGRAD_SHARE").unwrap_or_default();
+    std::env::var("GEOGRAD_ALL_ROWS").is_ok_and(|x| x == "1")
+        || hash(&share, test).is_multiple_of(TURN)
+}

@@ -1,5 +1,5 @@
 //! Rows of the library with all that judges them, compiled here once for tests and reports.
-use crate::Dice;
+use crate::hash;
 use geograd::Real;
 use geograd::ad::check::sample::Draw;
 use geograd::kernels::dynamic::{self, Mode, named_rows};
@@ -104,13 +104,6 @@ pub fn selected(
     };
     chosen.extend(names.into_iter().filter(|name| is_wanted(name)));
     chosen
-}
-
-/// A number of two texts that is the same on every machine.
-fn hash(share: &str, name: &str) -> u64 {
-    let bytes = share.bytes().chain([0]).chain(name.bytes());
-    let mixed = bytes.fold(0, |hash, byte| Dice(hash ^ u64::from(byte)).bits());
-    Dice(mixed).bits()
 }
 
 /// Rows that have compiled kernels.

@@ -78,6 +78,9 @@ fn points_in<T: Real + Into<f64>>() {
 }
 #[test]
 fn points_are_as_far_from_corners_in_either_order() {
+    if !geograd_tests::is_due("points_are_as_far_from_corners_in_either_order") {
+        return;
+    }
     points_in::<f64>();
     points_in::<f32>();
 }

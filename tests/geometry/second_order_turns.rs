@@ -58,6 +58,9 @@ fn boxes(dice: &mut geograd_tests::Dice, case: usize) -> [f64; 20] {
 
 #[test]
 fn overlaps_of_parallel_boxes_have_second_derivatives_by_all_numbers() {
+    if !geograd_tests::is_due("overlaps_of_parallel_boxes_have_second_derivatives_by_all_numbers") {
+        return;
+    }
     let (mut dice, mut count) = (geograd_tests::Dice(5), 0);
     for case in 0..100 {
         let x = boxes(&mut dice, case);

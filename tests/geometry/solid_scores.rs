@@ -267,6 +267,9 @@ fn moving<P: Pack<Scalar = f64> + Fixed<Of<Derivatives> = Q>, Q: Fixed<Scalar = 
 
 #[test]
 fn ranges_ones_and_derivatives_apart() {
+    if !geograd_tests::is_due("ranges_ones_and_derivatives_apart") {
+        return;
+    }
     let kinds = [Enclosing::Hull, Enclosing::Rectangle, Enclosing::Aabb];
     let mut random = Random(303);
     for n in 0..90 {

@@ -12,6 +12,7 @@ use crate::ad::check::tolerances::{
 };
 use crate::ad::check::verdict::{ByWitness, Reason, Witness};
 use crate::ad::check::witness::{dot, perturbed};
+use crate::ad::declared::Jumps;
 
 /// Checks declared motions, of values and of derivatives.
 pub(crate) fn invariances(e: &Evidence<'_>) -> Notes {
@@ -25,9 +26,13 @@ pub(crate) fn invariances(e: &Evidence<'_>) -> Notes {
         [] => Vec::new(),
         _ => e.deviation(&e.y, None, |x| Some(e.subject.value(x))),
     };
+    let jumps = jumps_by_rounding(e, &deviation);
     for &invariance in e.subject.invariances() {
         let amount = amount_of(invariance.motion, &e.scales);
         notes.add(value_moves(e, invariance, amount, &kinds, &deviation));
+        if jumps {
+            continue;
+        }
         for row in &e.rows {
             let Some(derivatives) = &row.adjoint else {
                 continue;
@@ -39,6 +44,15 @@ pub(crate) fn invariances(e: &Evidence<'_>) -> Notes {
         }
     }
     notes
+}
+
+/// Returns `true` if a value that may jump does so within roundings of the input: these take half of its digits, more
+/// than any derivative that is worth a comparison.
+fn jumps_by_rounding(e: &Evidence<'_>, deviation: &[f64]) -> bool {
+    let size = e.x.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let half = e.eps.sqrt() * size;
+    let may_jump = e.subject.conventions().jumps != Jumps::Never;
+    may_jump && deviation.iter().any(|&deviation| deviation > half)
 }
 
 /// Returns the amount of a motion of an input, from the scales of its numbers.

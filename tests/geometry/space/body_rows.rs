@@ -282,3 +282,58 @@ fn distances_of_hulls_and_curved_shapes_are_those_of_duals() {
     }
     pairs! { cylinder Cylinder; cone Cone; ellipsoid Ellipsoid; disc Disc; }
 }
+
+/// A box with a side of length zero in one of two cases, and a quaternion of any length.
+fn plate(random: &mut Random, at: Vec3<f64>) -> Obb3<f64> {
+    let mut solid = obb3(random, at);
+    match random.below(4) {
+        0 => solid.size.z = 0.0,
+        1 => solid.size = Vec3::new(solid.size.x, 0.0, 0.0),
+        _ => {}
+    }
+    let length = [1.0, 1e-3, 40.0, 0.3][random.below(4)];
+    let q = solid.rotation;
+    solid.rotation = Rotation3::new(q.w * length, q.x * length, q.y * length, q.z * length);
+    solid
+}
+fn round_plate(random: &mut Random, at: Vec3<f64>) -> RoundBox3<f64> {
+    RoundBox3::new(plate(random, at), random.within(0.0, 0.2))
+}
+fn point(_: &mut Random, at: Vec3<f64>) -> Vec3<f64> {
+    at
+}
+
+#[test]
+fn distances_of_solids_and_hulls_are_those_of_duals() {
+    let mut random = Random(37);
+    macro_rules! pairs {
+        ($($first:ident $A:ident $Verb:ident $method:ident;)*) => { $({
+            let (mut a, mut b) = (Vec::new(), Vec::new());
+            for _ in 0..COUNT {
+                let at = random.vector(1.8);
+                a.push($first(&mut random, at));
+                let at = random.vector(0.3);
+                b.push(hull(&mut random, at));
+            }
+            let (far, by) = Cpu::new().aligned($Verb.value_grad(), (&a, &b)).unwrap();
+            for i in 0..COUNT {
+                let distance = |(a, b): ($A<_>, Hull3<_, 8>)| a.$method(b);
+                let (expected, own) = ad::gradient(distance, (a[i], b[i]));
+                assert_eq!(far[i], expected);
+                near(&(by.0[i], by.1[i]).scalars(), &own.scalars(), stringify!($A));
+            }
+            assert!(by.0.iter().any(|by| by.scalars().iter().any(|x| x.abs() > 0.1)));
+        })* };
+    }
+    pairs! {
+        point Vec3 Distance distance;
+        segment Segment3 Distance distance;
+        sphere Sphere SignedDistance signed_distance;
+        capsule Capsule3 SignedDistance signed_distance;
+        triangle Triangle3 SignedDistance signed_distance;
+        tetrahedron Tetrahedron SignedDistance signed_distance;
+        plate Obb3 Distance distance;
+        plate Obb3 SignedDistance signed_distance;
+        round_plate RoundBox3 SignedDistance signed_distance;
+    }
+}

@@ -129,6 +129,9 @@ macro_rules! prove_all {
 
 #[test]
 fn points_and_planes_prove_distances_of_curved_shapes() {
+    if !geograd_tests::is_due("points_and_planes_prove_distances_of_curved_shapes") {
+        return;
+    }
     each_pair!(prove_all);
 }
 
