@@ -44,6 +44,7 @@
 //! | unite, intersect and subtract polygons of any kind | [`boolean`] |
 //! | grow, shrink (buffer) polygons and paths by a distance | [`offset`] |
 //! | divide a polygon among sites: Voronoi and power cells | [`cells`] |
+//! | measure arcs, Bézier curves and paths of them, find the nearest place | [`curve`] |
 //! | clip, join, add convex polygons | [`clipping`], [`hull`] |
 //! | test whether a point is in a polygon, and how deep | [`contain`] |
 //! | measure distances, closest points and penetration of shapes | [`distance`](mod@distance) |
@@ -121,6 +122,7 @@ pub mod clipping;
 pub mod cloud;
 pub mod contain;
 pub mod convention;
+pub mod curve;
 #[doc(hidden)]
 pub mod derived;
 #[doc = include_str!("detection.md")]

@@ -4,6 +4,7 @@ pub mod bounds3;
 pub mod cells;
 pub mod clip;
 pub mod clipping;
+pub mod curve_bars;
 pub mod distance;
 pub mod face_replay;
 pub mod iou;

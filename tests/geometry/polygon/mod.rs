@@ -5,6 +5,8 @@ mod boolean;
 mod cases;
 mod cell_oracle;
 mod cells;
+mod curve_places;
+mod curves;
 #[cfg(feature = "boolean")]
 mod cut;
 pub mod exact;

@@ -1,0 +1,104 @@
+//! Zeros of polynomials between 0 and 1, isolated by the signs of Bernstein's coefficients.
+
+/// Halvings until an interval is a point.
+const DEEPEST: u32 = 52;
+
+/// Calls something with every place from 0 to 1 where a polynomial is zero, or as near to it as rounding lets it see.
+///
+/// The polynomial is given by its Bernstein coefficients, which err by up to `noise`. By Descartes' rule it has no zeros
+/// inside where the coefficients have one sign, and one where their signs change once; else both halves are
+/// searched. A place may be reported more than once, and one of several zeros nearer to each other than
+/// rounding stands for all. Where all coefficients are noise, the middle is reported.
+pub(super) fn zeros<const N: usize>(
+    coefficients: [f64; N],
+    noise: f64,
+    found: &mut impl FnMut(f64),
+) {
+    descend(coefficients, noise, [0.0, 1.0], DEEPEST, found);
+}
+
+/// Returns the coefficients on both halves (de Casteljau).
+fn halves<const N: usize>(mut c: [f64; N]) -> [[f64; N]; 2] {
+    let mut left = c;
+    for k in 1..N {
+        for i in 0..N - k {
+            c[i] = 0.5 * c[i] + 0.5 * c[i + 1];
+        }
+        left[k] = c[0];
+    }
+    [left, c]
+}
+
+/// Returns the value at a place of the interval.
+fn value<const N: usize>(mut c: [f64; N], u: f64) -> f64 {
+    for k in 1..N {
+        for i in 0..N - k {
+            c[i] += (c[i + 1] - c[i]) * u;
+        }
+    }
+    c[0]
+}
+
+fn descend<const N: usize>(
+    c: [f64; N],
+    noise: f64,
+    [low, high]: [f64; 2],
+    depth: u32,
+    found: &mut impl FnMut(f64),
+) {
+    let middle = low + 0.5 * (high - low);
+    if c.iter().all(|x| x.abs() <= noise) {
+        return found(middle);
+    }
+    if c[0].abs() <= noise {
+        found(low);
+    }
+    if c[N - 1].abs() <= noise {
+        found(high);
+    }
+    let mut changes = 0;
+    let mut last = 0.0;
+    for x in c.into_iter().filter(|&x| x != 0.0) {
+        changes += u32::from(last * x.signum() < 0.0);
+        last = x.signum();
+    }
+    match changes {
+        0 => {}
+        1 => found(low + (high - low) * between(c, last)),
+        _ if depth == 0 => found(middle),
+        _ => {
+            let [left, right] = halves(c);
+            descend(left, noise, [low, middle], depth - 1, found);
+            descend(right, noise, [middle, high], depth - 1, found);
+        }
+    }
+}
+
+/// Returns the one zero between 0 and 1, given the sign at the end: by steps along chords, and a halving after each that
+/// gained less than one.
+fn between<const N: usize>(c: [f64; N], last: f64) -> f64 {
+    let (mut low, mut high) = (0.0, 1.0);
+    let (mut at_low, mut at_high) = (c[0] * last, c[N - 1] * last);
+    for _ in 0..DEEPEST {
+        let width = high - low;
+        if width <= f64::EPSILON * high {
+            break;
+        }
+        let chord = low - at_low * (width / (at_high - at_low));
+        for u in [chord, low + 0.5 * width] {
+            if !(u > low && u < high) || high - low <= 0.5 * width {
+                continue;
+            }
+            let at = value(c, u) * last;
+            if at > 0.0 {
+                (high, at_high) = (u, at);
+            } else {
+                (low, at_low) = (u, at);
+            }
+            if at == 0.0 {
+                return u;
+            }
+        }
+    }
+    0.5 * (low + high)
+}
