@@ -98,7 +98,8 @@
 //! # Features
 //!
 //! `parallel` (default): batches on all cores. `native` (default): functions without a compiled kernel run as machine
-//! code on x86-64. `gpu`: batches on a GPU. `glam`, `geo-types`, `mint`, `nalgebra`: conversions of points and vectors; the last one also `num-dual`'s vector duals. `serde`:
+//! code on x86-64. `gpu`: batches on a GPU. `glam`, `geo-types`, `kurbo`, `mint`, `nalgebra`: conversions of points, vectors
+//! and curves; the last one also `num-dual`'s vector duals. `serde`:
 //! serialization. `proptest`: strategies. `boolean`: [boolean operations](boolean) of polygons. `check`: the
 //! [harness](check) that checks derivatives, for `[dev-dependencies]`.
 #![warn(missing_docs)]
