@@ -45,6 +45,7 @@
 //! | grow, shrink (buffer) polygons and paths by a distance | [`offset`] |
 //! | divide a polygon among sites: Voronoi and power cells | [`cells`] |
 //! | measure arcs, Bézier curves and paths of them, find the nearest place | [`curve`] |
+//! | triangulate points | [`delaunay`] |
 //! | clip, join, add convex polygons | [`clipping`], [`hull`] |
 //! | test whether a point is in a polygon, and how deep | [`contain`] |
 //! | measure distances, closest points and penetration of shapes | [`distance`](mod@distance) |
@@ -124,6 +125,7 @@ pub mod cloud;
 pub mod contain;
 pub mod convention;
 pub mod curve;
+pub mod delaunay;
 #[doc(hidden)]
 pub mod derived;
 #[doc = include_str!("detection.md")]

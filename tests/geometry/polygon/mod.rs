@@ -24,5 +24,6 @@ pub mod scanline;
 mod shapes;
 #[cfg(feature = "boolean")]
 mod simple;
+mod triangulations;
 #[cfg(feature = "boolean")]
 mod valid;

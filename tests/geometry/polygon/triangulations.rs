@@ -1,0 +1,258 @@
+//! Delaunay triangulations: empty circles and Euler's formula in whole numbers, hard inputs, derivatives.
+use super::cases::at;
+use geograd::delaunay::Delaunay;
+use geograd::error::{Argument, Error};
+use geograd::{Vec2, gradient, jacobian};
+use geograd_tests::Dice;
+use std::collections::{BTreeMap, BTreeSet};
+
+type Spot = [i128; 2];
+
+fn placed(all: &[Spot]) -> Vec<Vec2<f64>> {
+    all.iter().map(|&[x, y]| at(x as f64, y as f64)).collect()
+}
+fn turn(a: Spot, b: Spot, c: Spot) -> i128 {
+    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+}
+/// Above zero for a point inside of the circle through three others that turn left.
+fn inside([a, b, c]: [Spot; 3], d: Spot) -> i128 {
+    let row = |p: Spot| {
+        let (x, y) = (p[0] - d[0], p[1] - d[1]);
+        [x, y, x * x + y * y]
+    };
+    let [a, b, c] = [a, b, c].map(row);
+    let minor = |p: [i128; 3], q: [i128; 3]| p[0] * q[1] - p[1] * q[0];
+    a[2] * minor(b, c) + b[2] * minor(c, a) + c[2] * minor(a, b)
+}
+/// Twice the area of the hull, and all points on its border, by Andrew's chain.
+fn hull(all: &[Spot]) -> (i128, usize) {
+    let sorted: Vec<Spot> = all
+        .iter()
+        .copied()
+        .collect::<BTreeSet<_>>()
+        .into_iter()
+        .collect();
+    let chain = |points: &mut dyn Iterator<Item = Spot>| {
+        let mut way: Vec<Spot> = Vec::new();
+        for p in points {
+            while way.len() > 1 && turn(way[way.len() - 2], way[way.len() - 1], p) < 0 {
+                way.pop();
+            }
+            way.push(p);
+        }
+        way.pop();
+        way
+    };
+    let mut ring = chain(&mut sorted.iter().copied());
+    ring.extend(chain(&mut sorted.iter().rev().copied()));
+    let twice = (0..ring.len()).map(|k| {
+        let (p, q) = (ring[k], ring[(k + 1) % ring.len()]);
+        p[0] * q[1] - p[1] * q[0]
+    });
+    (twice.sum(), ring.len())
+}
+fn judge(all: &[Spot], found: &Delaunay) {
+    let spot = |k: u32| all[k as usize];
+    let distinct: BTreeMap<Spot, u32> = all
+        .iter()
+        .rev()
+        .zip((0..all.len() as u32).rev())
+        .map(|(&p, k)| (p, k))
+        .collect();
+    for (k, p) in all.iter().enumerate() {
+        assert_eq!(found.firsts()[k], distinct[p]);
+    }
+    let mut sides = BTreeMap::new();
+    let mut twice = 0;
+    for (number, &[a, b, c]) in found.triangles().iter().enumerate() {
+        let own = turn(spot(a), spot(b), spot(c));
+        assert!(own > 0);
+        twice += own;
+        for side in [[b, c], [c, a], [a, b]] {
+            assert!(sides.insert(side, number as u32).is_none());
+        }
+    }
+    for (triangle, neighbours) in found.triangles().iter().zip(found.neighbours()) {
+        let corners = triangle.map(spot);
+        for (k, &neighbour) in neighbours.iter().enumerate() {
+            let side = [triangle[(k + 2) % 3], triangle[(k + 1) % 3]];
+            assert_eq!(neighbour, sides.get(&side).copied());
+            // By Delaunay's lemma circles are empty if those of neighbours are.
+            if let Some(other) = neighbour {
+                let other = found.triangles()[other as usize];
+                let apex = other.into_iter().find(|k| !side.contains(k)).unwrap();
+                assert!(
+                    inside(corners, spot(apex)) <= 0,
+                    "{corners:?} {:?}",
+                    spot(apex)
+                );
+            }
+        }
+    }
+    if all.len() < 60 {
+        for triangle in found.triangles() {
+            let corners = triangle.map(spot);
+            assert!(all.iter().all(|&p| inside(corners, p) <= 0));
+        }
+    }
+    let count = distinct.len();
+    let is_flat = found.triangles().is_empty();
+    let edges = found.edges();
+    if is_flat {
+        assert_eq!(
+            (found.hull().len(), edges.len()),
+            (count, count.saturating_sub(1))
+        );
+        let line: Vec<Spot> = found.hull().iter().map(|&k| spot(k)).collect();
+        assert!(line.windows(3).all(|w| turn(w[0], w[1], w[2]) == 0) && line.is_sorted());
+    } else {
+        let (area, border) = hull(all);
+        assert_eq!((twice, found.hull().len()), (area, border));
+        assert_eq!(found.triangles().len(), 2 * count - 2 - border);
+        // Vertices less edges and faces, the outer one included.
+        assert_eq!(count + found.triangles().len() + 1, edges.len() + 2);
+        let way = found.hull();
+        assert_eq!(way[0], *way.iter().min().unwrap());
+        for k in 0..way.len() {
+            let [p, q, r] = [0, 1, 2].map(|i| spot(way[(k + i) % way.len()]));
+            assert!(turn(p, q, r) >= 0);
+            assert!(sides.contains_key(&[way[k], way[(k + 1) % way.len()]]));
+        }
+    }
+}
+fn search(all: &[Spot]) -> Delaunay {
+    Delaunay::search(&placed(all)).unwrap()
+}
+
+#[test]
+fn circles_are_empty_in_whole_numbers() {
+    let mut dice = Dice(1);
+    for round in 0..3000 {
+        let (count, side) = (dice.below(40), [2, 3, 5, 9, 1000, 1 << 26][round % 6]);
+        let mut one = || dice.below(side) as i128 - side as i128 / 2;
+        let all: Vec<Spot> = (0..count).map(|_| [one(), one()]).collect();
+        judge(&all, &search(&all));
+    }
+    for side in [2, 3, 10, 40] {
+        let grid: Vec<Spot> = (0..side * side).map(|k| [k % side, k / side]).collect();
+        judge(&grid, &search(&grid));
+    }
+    let mut all: Vec<Spot> = Vec::new();
+    // Whole places on one circle about zero, of radius 1105, with and without its centre.
+    for x in -1105_i128..=1105 {
+        for y in -1105_i128..=1105 {
+            if x * x + y * y == 1105 * 1105 {
+                all.push([x, y]);
+            }
+        }
+    }
+    assert!(all.len() > 100);
+    judge(&all, &search(&all));
+    all.push([0, 0]);
+    judge(&all, &search(&all));
+    let many: Vec<Spot> = (0..20_000)
+        .map(|_| [dice.below(3000) as i128, dice.below(3000) as i128])
+        .collect();
+    judge(&many, &search(&many));
+}
+
+#[test]
+fn lines_and_few_points_have_no_triangles() {
+    for all in [
+        vec![],
+        vec![[3, 4]],
+        vec![[3, 4], [3, 4], [3, 4]],
+        vec![[3, 4], [1, 2]],
+        (0..9).map(|k| [7 * k % 9, 14 * k % 18]).collect(),
+        (0..8).map(|k| [5, 3 * k % 8]).collect(),
+    ] {
+        let found = search(&all);
+        assert!(found.triangles().is_empty());
+        judge(&all, &found);
+    }
+    // One point beside a line.
+    let mut all: Vec<Spot> = (0..50).map(|k| [k, k]).collect();
+    all.push([100, 101]);
+    judge(&all, &search(&all));
+}
+
+#[test]
+fn points_that_nearly_coincide_are_exact() {
+    // Last digits of coordinates near one: whole numbers of units of 2⁻⁵².
+    let mut dice = Dice(2);
+    for _ in 0..300 {
+        let mut one = || (1_i128 << 52) + dice.below(6) as i128;
+        let all: Vec<Spot> = (0..20).map(|_| [one(), one()]).collect();
+        let unit = 0.5_f64.powi(52);
+        let points: Vec<Vec2<f64>> = placed(&all).into_iter().map(|p| p * unit).collect();
+        judge(&all, &Delaunay::search(&points).unwrap());
+        // Sizes are only units.
+        for size in [2.0_f64.powi(-900), 2.0_f64.powi(900)] {
+            let scaled: Vec<_> = points.iter().map(|&p| p * size).collect();
+            judge(&all, &Delaunay::search(&scaled).unwrap());
+        }
+    }
+}
+
+#[test]
+fn both_formats_and_zeros_of_both_signs_are_one_place() {
+    let all = [at(0.0, -0.0), at(-0.0, 0.0), at(1.0, 0.0), at(0.0, 1.0)];
+    let found = Delaunay::search(&all).unwrap();
+    assert_eq!(found.firsts(), [0, 0, 2, 3]);
+    assert_eq!(found.triangles().len(), 1);
+    let narrow = all.map(|p| Vec2::new(p.x as f32, p.y as f32));
+    assert_eq!(Delaunay::search(&narrow).unwrap(), found);
+    let error = Delaunay::search(&[at(0.0, 0.0), at(1.0, f64::INFINITY)]).unwrap_err();
+    assert!(matches!(
+        error,
+        Error::Invalid {
+            argument: Argument::Named("points"),
+            item: 1,
+            ..
+        }
+    ));
+    assert_eq!(
+        error.to_string(),
+        "`points` item 1: y is not a finite number"
+    );
+}
+
+#[test]
+fn areas_and_circles_have_derivatives() {
+    let mut dice = Dice(3);
+    let points: Vec<Vec2<f64>> = (0..12).map(|_| at(dice.roll(), dice.roll())).collect();
+    let found = Delaunay::search(&points).unwrap();
+    // The sum of all areas is that of the hull, whatever is inside.
+    let (sum, by) = gradient(
+        |all: Vec<_>| {
+            let areas = found.areas(&all);
+            areas.into_iter().reduce(|sum, area| sum + area).unwrap()
+        },
+        points.clone(),
+    );
+    let way: Vec<_> = found.hull().iter().map(|&k| points[k as usize]).collect();
+    assert!((sum - geograd::ring::signed_area(&way)).abs() < 1e-15);
+    for (k, by) in by.iter().enumerate() {
+        let is_border = found.hull().contains(&(k as u32));
+        assert!(is_border || by.length() < 1e-15, "{k} {by:?}");
+    }
+    // The centre of a circle is as far from all corners after a step.
+    let circles = |all: Vec<_>| found.circumcircles(&all)[0].center;
+    let (center, slopes) = jacobian(circles, points.clone());
+    let step = 1e-6;
+    for &k in &found.triangles()[0] {
+        let mut moved = points.clone();
+        moved[k as usize].x += step;
+        let after = found.circumcircles(&moved)[0].center;
+        let change = (after - center) * (1.0 / step);
+        let expected = at(slopes.x[k as usize].x, slopes.y[k as usize].x);
+        assert!((change - expected).length() < 1e-3 * (1.0 + expected.length()));
+    }
+    let round = found.circumcircles(&points);
+    for (circle, corners) in round.iter().zip(found.triangles()) {
+        for &k in corners {
+            let apart = points[k as usize].distance(circle.center);
+            assert!((apart - circle.radius).abs() < 1e-12 * circle.radius);
+        }
+    }
+}
