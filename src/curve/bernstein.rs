@@ -29,14 +29,16 @@ fn halves<const N: usize>(mut c: [f64; N]) -> [[f64; N]; 2] {
     [left, c]
 }
 
-/// Returns the value at a place of the interval.
-fn value<const N: usize>(mut c: [f64; N], u: f64) -> f64 {
+/// Returns the value and the slope at a place of the interval.
+fn value<const N: usize>(mut c: [f64; N], u: f64) -> [f64; 2] {
+    let mut slope = 0.0;
     for k in 1..N {
+        slope = (N - 1) as f64 * (c[1] - c[0]);
         for i in 0..N - k {
             c[i] += (c[i + 1] - c[i]) * u;
         }
     }
-    c[0]
+    [c[0], slope]
 }
 
 fn descend<const N: usize>(
@@ -74,31 +76,38 @@ fn descend<const N: usize>(
     }
 }
 
-/// Returns the one zero between 0 and 1, given the sign at the end: by steps along chords, and a halving after each that
-/// gained less than one.
+/// Returns the one zero between 0 and 1, given the sign at the end: by Newton's steps, and by a halving in place of one that leaves
+/// the interval or is no shorter than half of the step before the last one.
 fn between<const N: usize>(c: [f64; N], last: f64) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
-    let (mut at_low, mut at_high) = (c[0] * last, c[N - 1] * last);
-    for _ in 0..DEEPEST {
-        let width = high - low;
-        if width <= f64::EPSILON * high {
+    let (from, to) = (c[0] * last, c[N - 1] * last);
+    let chord = from / (from - to);
+    let mut u = if chord > 0.0 && chord < 1.0 {
+        chord
+    } else {
+        0.5
+    };
+    let mut steps = [1.0, 1.0];
+    for _ in 0..2 * DEEPEST {
+        let [at, slope] = value(c, u);
+        let at = at * last;
+        if at > 0.0 {
+            high = u;
+        } else {
+            low = u;
+        }
+        let next = u - at / (slope * last);
+        let is_short = (next - u).abs() < 0.5 * steps[0];
+        let next = if next > low && next < high && is_short {
+            next
+        } else {
+            low + 0.5 * (high - low)
+        };
+        steps = [steps[1], (next - u).abs()];
+        if at == 0.0 || steps[1] <= 4.0 * f64::EPSILON {
             break;
         }
-        let chord = low - at_low * (width / (at_high - at_low));
-        for u in [chord, low + 0.5 * width] {
-            if !(u > low && u < high) || high - low <= 0.5 * width {
-                continue;
-            }
-            let at = value(c, u) * last;
-            if at > 0.0 {
-                (high, at_high) = (u, at);
-            } else {
-                (low, at_low) = (u, at);
-            }
-            if at == 0.0 {
-                return u;
-            }
-        }
+        u = next;
     }
-    0.5 * (low + high)
+    u
 }

@@ -1,5 +1,4 @@
 //! The smallest axis-aligned box around a piece.
-use super::bernstein;
 use super::bezier::Cubic2;
 use super::circle_arc::Arc2;
 use super::curve_nearest::unit_of;
@@ -74,8 +73,15 @@ fn of_cubic(curve: Cubic2<f64>, axis: usize, found: &mut impl FnMut(f64)) {
     if slopes.iter().all(|x| x.is_finite() && *x >= 0.0) || slopes.iter().all(|x| *x <= 0.0) {
         return;
     }
-    // Differences of coordinates are exact to half a unit; those of an elevated curve to a few.
-    bernstein::zeros(slopes, 16.0 * f64::EPSILON, found);
+    // The slope is `c + 2bt + at²`. Where it is zero twice within a rounding there is no turn.
+    let [first, middle, last] = slopes;
+    let (a, b, c) = ((last - middle) - (middle - first), middle - first, first);
+    let square = b * b - a * c;
+    if square >= 0.0 {
+        let sum = -(b + square.sqrt().copysign(b));
+        found(sum / a);
+        found(c / sum);
+    }
 }
 
 fn of_arc(arc: Arc2<f64>, axis: usize, found: &mut impl FnMut(f64)) {

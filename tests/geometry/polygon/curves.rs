@@ -313,7 +313,7 @@ fn halves_together_are_the_whole() {
             1e-12,
         );
         let back = piece.reversed();
-        near(back.length(), piece.length(), 2e-15);
+        near(back.length(), piece.length(), 1e-14);
         near(
             back.signed_area(),
             -piece.signed_area(),
