@@ -8,7 +8,7 @@ const DEEPEST: u32 = 52;
 /// The polynomial is given by its Bernstein coefficients, which err by up to `noise`. By Descartes' rule it has no zeros
 /// inside where the coefficients have one sign, and one where their signs change once; else both halves are
 /// searched. A place may be reported more than once, and one of several zeros nearer to each other than
-/// rounding stands for all. Where all coefficients are noise, the middle is reported.
+/// rounding stands for all. The middle stands for a polynomial of noise alone.
 pub(super) fn zeros<const N: usize>(
     coefficients: [f64; N],
     noise: f64,

@@ -73,7 +73,7 @@ fn of_cubic(curve: Cubic2<f64>, axis: usize, found: &mut impl FnMut(f64)) {
     if slopes.iter().all(|x| x.is_finite() && *x >= 0.0) || slopes.iter().all(|x| *x <= 0.0) {
         return;
     }
-    // The slope is `c + 2bt + at²`. Where it is zero twice within a rounding there is no turn.
+    // The slope is `c + 2bt + at²`. One that is zero twice within a rounding has no turn.
     let [first, middle, last] = slopes;
     let (a, b, c) = ((last - middle) - (middle - first), middle - first, first);
     let square = b * b - a * c;

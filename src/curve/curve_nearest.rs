@@ -39,7 +39,7 @@ impl<S: Scalar<Mask = bool>> CurvePiece<S> {
     /// Returns the point at a place that a [search](Self::closest) found, with the derivatives of the nearest point.
     ///
     /// One Newton step with plain slopes gives the parameter its first derivatives, a second one its second derivatives.
-    /// Where the point is at the curve's centre of curvature the place jumps; there it stays.
+    /// The place jumps at the curve's centre of curvature; a replay there keeps it.
     #[must_use]
     pub fn closest_replay(self, point: Vec2<S>, place: CurvePlace) -> Vec2<S> {
         match (place.is_inside, place.parameter) {

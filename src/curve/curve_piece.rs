@@ -107,8 +107,8 @@ impl<S: Scalar<Mask = bool>> CurvePiece<S> {
     }
     /// Returns the direction at a parameter, a vector of length one, where the piece has one there.
     ///
-    /// Where the derivative is zero, such as at the end of a Bézier curve with a repeated control point, it is the limit
-    /// from inside of the piece; at a cusp it is the direction after it. A piece of one point has the zero vector.
+    /// The derivative is zero at the end of a Bézier curve with a repeated control point: there it is the limit from
+    /// inside of the piece. At a cusp it is the direction after it. A piece of one point has the zero vector.
     #[must_use]
     pub fn tangent(self, t: S) -> Vec2<S> {
         let is_end = t.at_least(S::one());

@@ -46,8 +46,8 @@ impl<S: Scalar<Mask = bool>> CurvePath<S> {
         });
         all.reduce(join)
     }
-    /// Returns the place of the path that is nearest to a point; `None` for a path without pieces. Of equally near ones the
-    /// first one counts.
+    /// Returns the place of the path that is nearest to a point; `None` for a path without pieces. The first one of
+    /// equally near ones counts.
     ///
     /// Pieces whose control points are all farther than what was found are skipped.
     ///
@@ -146,7 +146,7 @@ impl<S: Scalar<Mask = bool>> CurvePath<S> {
     ///
     /// # Errors
     ///
-    /// Those of [`CurvePiece::chords`], and [`Error::TooLarge`] for more than 2²⁸ chords of all pieces.
+    /// As [`CurvePiece::chords`], and [`Error::TooLarge`] for more than 2²⁸ chords of all pieces.
     pub fn chords(&self, tolerance: f64) -> Result<Vec<usize>, Error> {
         let counts: Vec<usize> = self
             .pieces()
@@ -187,7 +187,7 @@ impl<S: Scalar<Mask = bool>> CurvePath<S> {
     ///
     /// # Errors
     ///
-    /// Those of [`chords`](Self::chords).
+    /// As [`chords`](Self::chords).
     ///
     /// ```
     /// use geograd::{Circle, Vec2, curve::CurvePath, ring};

@@ -19,13 +19,13 @@
 //! grids, points on circles and points that nearly coincide have a triangulation without gaps or overlaps.
 //!
 //! * Four or more points on an empty circle have one of their triangulations, the same on every machine.
-//! * Of points at one place the first one is in triangles ([`Delaunay::firsts`]).
+//! * The first one of points at one place is in triangles ([`Delaunay::firsts`]).
 //! * Points on one line, and fewer than three, have no triangles.
 //!
 //! # Derivatives
 //!
-//! Areas and circles are smooth while the triangles stay. Where four points come to lie on a circle the diagonal changes: areas and
-//! circles of triangles jump there, sums over the triangulation that do not depend on it are smooth.
+//! Areas and circles are smooth while the triangles stay. A diagonal changes where four points come to lie on a circle: areas
+//! and circles of triangles jump there. Sums that do not depend on the diagonal, such as that of all areas, are smooth.
 mod divide_and_conquer;
 mod half_edges;
 mod triangulation;

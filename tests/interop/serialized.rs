@@ -1,5 +1,6 @@
 //! Shapes as JSON: the names of their fields, and every bit of their numbers.
 use geograd::ad::check::sample::{Draw, Sample, random};
+use geograd::curve::{Arc2, Cubic2, Quadratic2};
 use geograd::{
     Aabb2, Aabb3, Capsule2, Capsule3, Circle, Cone, Cylinder, Interval, Line2, Line3, Obb2, Obb3,
     Plane3, Pose2, Pose3, Ray2, Ray3, Rotation3, RoundBox3, Segment2, Segment3, Sphere,
@@ -28,7 +29,7 @@ macro_rules! all {
 #[test]
 fn shapes_come_back_with_all_bits() {
     all! {
-        Aabb2 Aabb3 Capsule2 Capsule3 Circle Cone Cylinder Interval Line2 Line3 Obb2 Obb3 Plane3 Pose2 Pose3 Ray2
+        Aabb2 Aabb3 Arc2 Capsule2 Capsule3 Circle Cone Cubic2 Cylinder Interval Line2 Line3 Obb2 Obb3 Plane3 Pose2 Pose3 Quadratic2 Ray2
         Ray3 Rotation3 RoundBox3 Segment2 Segment3 Sphere Tetrahedron Triangle2 Triangle3 Vec2 Vec3 YawBox3
     }
 }

@@ -322,7 +322,7 @@ fn derivatives_of_both_orders_are_those_of_differences() {
     let at_plane = |x, y| at(x, y);
     let pieces: [CurvePiece<f64>; 7] = [
         Quadratic2::new(at_plane(0.1, 0.0), at(1.0, 2.0), at(2.0, -0.3)).into(),
-        // Of nearly even speed.
+        // Its speed is nearly even.
         Quadratic2::new(at(0.1, 0.0), at(1.0, 0.2), at(2.0, 0.7)).into(),
         Cubic2::new(at(0.0, 0.1), at(0.2, 2.0), at(3.0, -1.5), at(2.0, 1.0)).into(),
         Cubic2::new(at(0.0, 0.0), at(4.0, 3.0), at(-3.0, 3.5), at(0.5, 0.0)).into(),
