@@ -1,17 +1,63 @@
-//! The triangulation of sorted points: both halves, and the edges between them (Guibas and Stolfi 1985).
+//! The triangulation of points: both halves, and the edges between them (Guibas and Stolfi 1985).
+//!
+//! Halves are those along x and along y in turn, so that parts are about as high as wide and few of their triangles are
+//! removed later (Dwyer 1987).
 use super::half_edges::{HalfEdges, back};
 use robust::{Coord, incircle, orient2d};
+use std::cmp::Ordering;
 
 type Point = Coord<f64>;
 
-/// Returns the edges of a triangulation of points that are different and sorted by x, then by y, and one edge of its
-/// border, which has the triangulation on its left: none for fewer than two points.
+/// The direction in which points are divided: along x, and points of one x along y, or a quarter turn from that.
+#[derive(Clone, Copy)]
+enum Axis {
+    X,
+    Y,
+}
+
+impl Axis {
+    fn other(self) -> Self {
+        match self {
+            Axis::X => Axis::Y,
+            Axis::Y => Axis::X,
+        }
+    }
+    /// Returns the order of two points, which is equal for the same place only.
+    #[inline(always)]
+    fn order(self, p: Point, q: Point) -> Ordering {
+        match self {
+            Axis::X => p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)),
+            Axis::Y => p.y.total_cmp(&q.y).then(q.x.total_cmp(&p.x)),
+        }
+    }
+}
+
+/// The most points that have edges without parts.
+const LEAF: usize = 3;
+
+/// Brings points, which stay with their numbers, into the order of their parts.
+pub(super) fn divide(points: &mut [(Point, u32)]) {
+    fn along(points: &mut [(Point, u32)], axis: Axis) {
+        if points.len() <= LEAF {
+            return points.sort_unstable_by(|p, q| Axis::X.order(p.0, q.0));
+        }
+        let middle = points.len() / 2;
+        points.select_nth_unstable_by(middle, |p, q| axis.order(p.0, q.0));
+        let (low, high) = points.split_at_mut(middle);
+        along(low, axis.other());
+        along(high, axis.other());
+    }
+    along(points, Axis::X);
+}
+
+/// Returns the edges of a triangulation of points that are different and in the order of their [parts](divide), and one
+/// edge of its border, which has the outside on its left: none for fewer than two points.
 pub(super) fn triangulated(points: &[Point]) -> (HalfEdges, Option<u32>) {
     let mut work = Work {
         points,
         edges: HalfEdges::with_room(points.len()),
     };
-    let border = (points.len() >= 2).then(|| work.conquer(0, points.len() as u32)[0]);
+    let border = work.conquer(0, points.len() as u32, Axis::X);
     (work.edges, border)
 }
 
@@ -45,43 +91,52 @@ impl Work<'_> {
     fn is_inside(&self, a: u32, b: u32, c: u32, d: u32) -> bool {
         incircle(self.at(a), self.at(b), self.at(c), self.at(d)) > 0.0
     }
-    /// Triangulates two or more vertices. Returns the edge of the border from the leftmost vertex that has the inside on its
-    /// left, and that from the rightmost vertex which has it on its right.
-    fn conquer(&mut self, from: u32, to: u32) -> [u32; 2] {
+    /// Triangulates vertices. Returns an edge of the border that has the outside on its left: none for a vertex alone.
+    fn conquer(&mut self, from: u32, to: u32, axis: Axis) -> Option<u32> {
         match to - from {
-            2 => {
-                let e = self.edges.add(from, from + 1);
-                [e, back(e)]
-            }
+            0 | 1 => None,
+            2 => Some(self.edges.add(from, from + 1)),
             3 => {
                 let a = self.edges.add(from, from + 1);
                 let b = self.edges.add(from + 1, from + 2);
                 self.edges.splice(back(a), b);
                 let turn = self.turn(from, from + 1, from + 2);
-                if turn == 0.0 {
-                    return [a, back(b)];
+                if turn != 0.0 {
+                    self.edges.connect(b, a);
                 }
-                let c = self.edges.connect(b, a);
-                if turn > 0.0 {
-                    [a, back(b)]
-                } else {
-                    [back(c), c]
-                }
+                Some(if turn > 0.0 { back(a) } else { a })
             }
             count => {
                 let middle = from + count / 2;
-                let left = self.conquer(from, middle);
-                let right = self.conquer(middle, to);
-                self.joined(left, right)
+                let low = self.conquer(from, middle, axis.other())?;
+                let high = self.conquer(middle, to, axis.other())?;
+                let [_, inner_low] = self.at_end(low, axis, Ordering::Greater);
+                let [inner_high, _] = self.at_end(high, axis, Ordering::Less);
+                Some(self.joined(inner_low, inner_high))
             }
         }
     }
-    /// Joins two triangulations, the second to the right of the first.
-    fn joined(
-        &mut self,
-        [mut outer_left, mut inner_left]: [u32; 2],
-        [mut inner_right, mut outer_right]: [u32; 2],
-    ) -> [u32; 2] {
+    /// Returns the edges of the border at its first or last vertex along an axis: that with the inside on its left, and that
+    /// with the outside.
+    fn at_end(&self, border: u32, axis: Axis, side: Ordering) -> [u32; 2] {
+        let (mut best, mut before) = (border, border);
+        let mut found = None;
+        loop {
+            let e = self.edges.after(before);
+            let (vertex, least) = (self.edges.from(e), self.edges.from(best));
+            if found.is_none() || axis.order(self.at(vertex), self.at(least)) == side {
+                best = e;
+                found = Some([back(before), e]);
+            }
+            before = e;
+            if e == border {
+                return found.unwrap_or([back(e), e]);
+            }
+        }
+    }
+    /// Joins two triangulations, the second after the first along an axis, by edges from the last vertex of the first and from
+    /// the first vertex of the second. Returns an edge of the border that has the outside on its left.
+    fn joined(&mut self, mut inner_left: u32, mut inner_right: u32) -> u32 {
         // The lower common tangent.
         loop {
             if self.is_left(self.edges.from(inner_right), inner_left) {
@@ -92,13 +147,8 @@ impl Work<'_> {
                 break;
             }
         }
-        let mut base = self.edges.connect(back(inner_right), inner_left);
-        if self.edges.from(inner_left) == self.edges.from(outer_left) {
-            outer_left = back(base);
-        }
-        if self.edges.from(inner_right) == self.edges.from(outer_right) {
-            outer_right = base;
-        }
+        let lowest = self.edges.connect(back(inner_right), inner_left);
+        let mut base = lowest;
         // The base rises from triangle to triangle.
         loop {
             let (to, from) = (self.edges.to(base), self.edges.from(base));
@@ -127,7 +177,7 @@ impl Work<'_> {
                 }
             }
             if !has_left && !has_right {
-                return [outer_left, outer_right];
+                return lowest;
             }
             let is_right_next = !has_left
                 || (has_right

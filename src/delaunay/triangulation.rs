@@ -1,5 +1,5 @@
 //! The triangles of a set of points, their neighbours and measures.
-use super::divide_and_conquer::triangulated;
+use super::divide_and_conquer::{divide, triangulated};
 use super::half_edges::{HalfEdges, back};
 use crate::error::{Argument, Error, Field, Flaw};
 use crate::shape::circumcircle;
@@ -65,14 +65,19 @@ impl Delaunay {
             .iter()
             .fold(0.0_f64, |most, p| most.max(p.0.abs()).max(p.1.abs()));
         let unit = if largest > 0.0 { largest.binade() } else { 1.0 };
-        let places: Vec<Coord<f64>> = sorted
-            .iter()
-            .map(|&(x, y, _)| Coord {
-                x: x * unit,
-                y: y * unit,
+        let in_order: Vec<u32> = sorted.iter().map(|p| p.2).collect();
+        let mut parts: Vec<(Coord<f64>, u32)> = sorted
+            .into_iter()
+            .map(|(x, y, number)| {
+                let place = Coord {
+                    x: x * unit,
+                    y: y * unit,
+                };
+                (place, number)
             })
             .collect();
-        let numbers: Vec<u32> = sorted.into_iter().map(|(.., number)| number).collect();
+        divide(&mut parts);
+        let (places, numbers): (Vec<_>, Vec<_>) = parts.into_iter().unzip();
         let (edges, border) = triangulated(&places);
         drop(places);
         let mut made = Delaunay {
@@ -81,18 +86,19 @@ impl Delaunay {
             hull: Vec::new(),
             firsts,
         };
-        match border {
-            Some(border) => made.read(&edges, border, &numbers),
-            None => made.hull = numbers,
+        if let Some(border) = border {
+            made.read(&edges, border, &numbers);
+        }
+        if made.triangles.is_empty() {
+            made.hull = in_order;
         }
         Ok(made)
     }
     /// Reads hull and triangles from the edges.
-    fn read(&mut self, edges: &HalfEdges, border: u32, numbers: &[u32]) {
+    fn read(&mut self, edges: &HalfEdges, outer: u32, numbers: &[u32]) {
         const OUTSIDE: u32 = u32::MAX;
         const UNSEEN: u32 = u32::MAX - 1;
         let mut faces = vec![UNSEEN; edges.len()];
-        let outer = back(border);
         let mut e = outer;
         loop {
             faces[e as usize] = OUTSIDE;
@@ -123,11 +129,6 @@ impl Delaunay {
         }
         for side in self.neighbours.iter_mut().flatten() {
             *side = side.map(|e| faces[e as usize]).filter(|&f| f != OUTSIDE);
-        }
-        if self.triangles.is_empty() {
-            // The border runs along the line and back.
-            self.hull = numbers.to_vec();
-            return;
         }
         let lowest = (0..self.hull.len()).min_by_key(|&k| self.hull[k]);
         self.hull.rotate_left(lowest.unwrap_or(0));
