@@ -19,12 +19,14 @@ pub struct CellsCore {
     trace: CellTrace,
 }
 
-fn vectors(array: &Object<'_>) -> PyResult<Vec<Vec2<f64>>> {
+/// Reads an array of points.
+pub fn vectors(array: &Object<'_>) -> PyResult<Vec<Vec2<f64>>> {
     let all = numbers::<f64>(array)?;
     let (all, _) = all.as_chunks::<2>();
     Ok(all.iter().map(|&[x, y]| Vec2::new(x, y)).collect())
 }
-fn in_plane<'py>(py: Python<'py>, all: impl Iterator<Item = Vec2<f64>>) -> PyResult<Object<'py>> {
+/// Returns an array of shape (N, 2).
+pub fn in_plane<'py>(py: Python<'py>, all: impl Iterator<Item = Vec2<f64>>) -> PyResult<Object<'py>> {
     let flat: Vec<f64> = all.flat_map(|v| [v.x, v.y]).collect();
     let count = flat.len() / 2;
     PyArray1::from_vec(py, flat)

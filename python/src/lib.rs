@@ -9,6 +9,7 @@ mod cell_calls;
 mod check;
 mod clouds;
 mod column;
+mod curve_calls;
 mod far_pairs;
 mod forms;
 mod grouped;
@@ -35,6 +36,7 @@ mod table;
 mod threads;
 mod traced;
 mod tracing;
+mod triangulated;
 mod verb;
 
 use geograd::Error;
@@ -65,6 +67,8 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<clouds::CloudCore>()?;
     m.add_class::<meshes::MeshCore>()?;
     m.add_class::<cell_calls::CellsCore>()?;
+    m.add_class::<curve_calls::CurveCore>()?;
+    m.add_class::<triangulated::DelaunayCore>()?;
     m.add_class::<overlay::Overlay>()?;
     m.add_class::<buffered::Buffer>()?;
     m.add_class::<symbol::Symbol>()?;

@@ -20,6 +20,7 @@ from ._camera import sees
 from ._cells import Cells
 from ._check import Reports, check
 from ._cloud import Cloud
+from ._curves import CurvePath, Delaunay
 from . import _elementary
 from ._elementary import ELEMENTARY as _ELEMENTARY, clip, where
 from ._euler import euler, from_euler
@@ -46,7 +47,7 @@ if hasattr(_os, "register_at_fork"):
 
 __all__ = sorted(
     [
-        "Cells", "Cloud", "Clouds", "Function", "HullMeasure", "Mesh", "Paths", "Polygons", "Polylines", "Program", "Reports", "Rings", "Shape", "Symbol",
+        "Cells", "Cloud", "Clouds", "CurvePath", "Delaunay", "Function", "HullMeasure", "Mesh", "Paths", "Polygons", "Polylines", "Program", "Reports", "Rings", "Shape", "Symbol",
         "Truth", "Verb",
         "WGSL", "__version__", "assignment", "metric", "suppression",
         "buffer", "check", "clip", "contains", "convex_hull", "euler", "frechet", "from_euler", "function", "get_num_threads", "hausdorff", "hull_faces",

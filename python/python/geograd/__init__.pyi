@@ -150,6 +150,77 @@ class Cells:
     def centroids_vjp(self, centroids_bar: ArrayLike) -> tuple[Array, Array, Array]:
         """Cotangents of sites, of weights and of the domain's vertices from those of the centroids."""
 
+class CurvePath:
+    """A path of straight lines, circular arcs, quadratic and cubic Bézier curves: letters of steps, and their numbers."""
+    def __init__(self, steps: str, numbers: ArrayLike) -> None: ...
+    @classmethod
+    def of_svg(cls, path: str) -> CurvePath:
+        """The path in SVG's notation. Arcs must be those of circles."""
+    @property
+    def steps(self) -> str:
+        """The letters of all steps."""
+    @property
+    def numbers(self) -> Array:
+        """The numbers of all steps, of shape (K,)."""
+    @property
+    def length(self) -> float:
+        """The length of all pieces."""
+    @property
+    def area(self) -> float:
+        """The signed area of all contours, positive counter-clockwise."""
+    @property
+    def bounds(self) -> Optional[Array]:
+        """The smallest box around the path, of shape (4,)."""
+    def length_grad(self) -> tuple[float, Array]:
+        """The length, and its derivatives by the numbers."""
+    def area_grad(self) -> tuple[float, Array]:
+        """The signed area, and its derivatives by the numbers."""
+    def reversed(self) -> CurvePath:
+        """The path in the other direction."""
+    def distance(self, points: ArrayLike) -> Array:
+        """The distance of each point from the path."""
+    def closest(self, points: ArrayLike) -> Array:
+        """The place of the path that is nearest to each point, of shape (N, 2)."""
+    def distance_vjp(self, points: ArrayLike, upstream: ArrayLike) -> tuple[Array, Array]:
+        """Cotangents of the numbers and of the points, from those of the distances."""
+    def winding_number(self, points: ArrayLike) -> Array:
+        """How often the contours go around each point."""
+    def contains(self, points: ArrayLike) -> Array:
+        """True for each point around which the contours wind."""
+    def flatten(self, tolerance: float) -> list[Array]:
+        """The vertices of every contour with chords within a tolerance of the path, of shape (V, 2)."""
+
+class Delaunay:
+    """The Delaunay triangulation of points of the plane."""
+    def __init__(self, points: ArrayLike) -> None: ...
+    def __len__(self) -> int: ...
+    @property
+    def points(self) -> Array:
+        """The points, of shape (N, 2)."""
+    @property
+    def triangles(self) -> Array:
+        """The points of each triangle, of shape (T, 3)."""
+    @property
+    def neighbours(self) -> Array:
+        """The triangle opposite each corner, of shape (T, 3): -1 at the hull."""
+    @property
+    def hull(self) -> Array:
+        """The points of the convex hull, counter-clockwise."""
+    @property
+    def firsts(self) -> Array:
+        """For each point the first one at its place."""
+    @property
+    def edges(self) -> Array:
+        """The edges, each once, of shape (E, 2)."""
+    @property
+    def areas(self) -> Array:
+        """The area of each triangle."""
+    @property
+    def circles(self) -> tuple[Array, Array]:
+        """The centres and radii of the circles around the triangles."""
+    def areas_vjp(self, areas_bar: ArrayLike) -> Array:
+        """Cotangents of the points from those of the areas."""
+
 class Mesh:
     """A mesh of triangles, with a tree that is built once and serves all calls."""
     def __init__(self, vertices: Any, faces: Optional[ArrayLike] = ...) -> None: ...

@@ -1,0 +1,135 @@
+"""Paths of curves and triangulations: values beside shapely's and scipy's, derivatives beside differences."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+import geograd
+
+DROP = ("MCQALZ", [0, 0, 1, 3, 4, -2, 5, 1, 6, 3, 4, 4, 2, 5, -0.4, 0, 3])
+
+
+def moved(path, place, by):
+    numbers = path.numbers
+    numbers[place] += by
+    return geograd.CurvePath(path.steps, numbers)
+
+
+def slopes(of, path, step=1e-6):
+    return [(of(moved(path, k, step)) - of(moved(path, k, -step))) / (2 * step) for k in range(len(path.numbers))]
+
+
+def test_measures_are_those_of_fine_chords():
+    shapely = pytest.importorskip("shapely")
+    path = geograd.CurvePath(*DROP)
+    fine = shapely.Polygon(path.flatten(1e-8)[0])
+    np.testing.assert_allclose(path.area, np.sign(path.area) * fine.area, rtol=1e-6)
+    np.testing.assert_allclose(path.length, fine.length, rtol=1e-6)
+    np.testing.assert_allclose(path.bounds, fine.bounds, atol=1e-7)
+    points = np.random.default_rng(0).uniform(-2, 8, (300, 2))
+    far = shapely.distance(shapely.points(points), fine.exterior)
+    np.testing.assert_allclose(path.distance(points), far, atol=1e-7)
+    np.testing.assert_array_equal(path.contains(points), shapely.contains_xy(fine, *points.T))
+    on = path.closest(points)
+    np.testing.assert_allclose(np.linalg.norm(on - points, axis=1), path.distance(points), rtol=1e-13)
+    back = path.reversed()
+    np.testing.assert_allclose([back.area, back.length], [-path.area, path.length], rtol=1e-13)
+    np.testing.assert_array_equal(back.winding_number(points), -path.winding_number(points))
+
+
+def test_gradients_are_those_of_differences():
+    path = geograd.CurvePath(*DROP)
+    for grad, of in ((path.length_grad, lambda own: own.length), (path.area_grad, lambda own: own.area)):
+        value, by = grad()
+        assert value == of(path)
+        np.testing.assert_allclose(by, slopes(of, path), rtol=1e-6, atol=1e-8)
+    points, upstream = np.random.default_rng(1).uniform(-2, 8, (20, 2)), np.random.default_rng(2).normal(size=20)
+    by, by_points = path.distance_vjp(points, upstream)
+    np.testing.assert_allclose(by, slopes(lambda own: own.distance(points) @ upstream, path), rtol=1e-5, atol=1e-7)
+    ways = (points - path.closest(points)) / path.distance(points)[:, None]
+    np.testing.assert_allclose(by_points, ways * upstream[:, None], rtol=1e-12)
+
+
+def test_paths_of_svg_are_read():
+    path = geograd.CurvePath.of_svg("M1,0 h2 v2 l-1 1 Q 0 3 .5 2 t-.5-1 C0 .5 0.5 0 .75 0 s.1 0 .25 0z m5 5 1 0 a1 1 0 0 1-1-1.e0a1 1 0 011-1Z")
+    assert path.steps == "MLLLQQCCZMLAAZ"
+    expected = [1, 0, 3, 0, 3, 2, 2, 3, 0, 3, 0.5, 2, 1, 1, 0, 1, 0, 0.5, 0.5, 0, 0.75, 0, 1, 0, 0.85, 0, 1, 0]
+    np.testing.assert_allclose(path.numbers[:28], expected, atol=1e-15)
+    quarter = np.tan(np.pi / 8)
+    np.testing.assert_allclose(path.numbers[28:], [6, 5, 7, 5, 6, 4, quarter, 7, 3, quarter])
+    half = geograd.CurvePath.of_svg("M0 0A5 5 0 1 1 6 0")
+    np.testing.assert_allclose(half.numbers[-1], 3)
+    with pytest.raises(ValueError, match="circles"):
+        geograd.CurvePath.of_svg("M0 0A5 4 0 1 1 6 0")
+    for text in ("M0", "M0 0 X", "L", "M0 0 L a 1"):
+        with pytest.raises(ValueError, match="path|elements"):
+            geograd.CurvePath.of_svg(text)
+
+
+def test_wrong_paths_are_refused():
+    for steps, numbers, match in (
+        ("MX", [0, 0], "MLQCAZ"),
+        ("ML", [0, 0, 1], "too few"),
+        ("M", [0, 0, 1], "more"),
+        ("L", [0, 0], "begin a contour"),
+        ("ML", [0, 0, 1, np.nan], "finite"),
+        ("M", [[0, 0]], "one axis"),
+    ):
+        with pytest.raises(ValueError, match=match):
+            geograd.CurvePath(steps, numbers)
+    path = geograd.CurvePath("M", [1, 2])
+    assert np.isnan(path.distance([(0, 0)])).all() and path.length == 0
+    with pytest.raises(ValueError, match="no pieces"):
+        path.closest([(0, 0)])
+    with pytest.raises(ValueError, match="tolerance"):
+        geograd.CurvePath(*DROP).flatten(0)
+    with pytest.raises(ValueError, match="points"):
+        path.distance([1, 2])
+    again = pickle.loads(pickle.dumps(geograd.CurvePath(*DROP)))
+    np.testing.assert_array_equal(again.numbers, DROP[1])
+
+
+def test_triangulations_are_those_of_scipy():
+    spatial = pytest.importorskip("scipy.spatial")
+    points = np.random.default_rng(3).uniform(size=(500, 2))
+    mesh, other = geograd.Delaunay(points), spatial.Delaunay(points)
+    assert {frozenset(own) for own in mesh.triangles.tolist()} == {frozenset(own) for own in other.simplices.tolist()}
+    np.testing.assert_array_equal(np.sort(mesh.hull), np.sort(spatial.ConvexHull(points).vertices))
+    for k, (corners, beside) in enumerate(zip(mesh.triangles, mesh.neighbours)):
+        for corner, neighbour in zip(corners, beside):
+            if neighbour >= 0:
+                assert k in mesh.neighbours[neighbour] and corner not in mesh.triangles[neighbour]
+    assert len(points) - len(mesh.edges) + len(mesh) == 1
+    centers, radii = mesh.circles
+    gaps = np.linalg.norm(points[mesh.triangles] - centers[:, None], axis=-1)
+    np.testing.assert_allclose(gaps, np.tile(radii[:, None], 3), rtol=1e-9)
+
+
+def test_areas_of_triangles_have_derivatives():
+    points = np.random.default_rng(4).uniform(size=(30, 2))
+    mesh = geograd.Delaunay(points)
+    upstream = np.random.default_rng(5).normal(size=len(mesh))
+    by = mesh.areas_vjp(upstream)
+
+    def total(points):
+        a, b, c = np.moveaxis(points[mesh.triangles], 1, 0)
+        u, v = b - a, c - a
+        return 0.5 * (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]) @ upstream
+
+    for place in np.ndindex(5, 2):
+        step = np.zeros_like(points)
+        step[place] = 1e-6
+        np.testing.assert_allclose(by[place], (total(points + step) - total(points - step)) / 2e-6, rtol=1e-6, atol=1e-9)
+
+
+def test_hard_points_have_a_triangulation():
+    grid = np.stack(np.meshgrid(np.arange(20), np.arange(15)), -1).reshape(-1, 2).astype(float)
+    mesh = geograd.Delaunay(np.concatenate([grid, grid]))
+    assert len(mesh) == 2 * 19 * 14 and mesh.areas.sum() == 19 * 14 and len(mesh.hull) == 2 * (19 + 14)
+    np.testing.assert_array_equal(mesh.firsts, np.tile(np.arange(300), 2))
+    line = geograd.Delaunay([(0, 0), (2, 2), (1, 1)])
+    assert len(line) == 0 and line.hull.tolist() == [0, 2, 1] and line.edges.tolist() == [[0, 2], [1, 2]]
+    assert len(geograd.Delaunay(np.zeros((0, 2)))) == 0
+    with pytest.raises(ValueError, match="item 1"):
+        geograd.Delaunay([(0, 0), (np.inf, 0)])
