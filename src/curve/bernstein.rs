@@ -20,11 +20,11 @@ pub(super) fn zeros<const N: usize>(
 /// Returns the coefficients on both halves (de Casteljau).
 fn halves<const N: usize>(mut c: [f64; N]) -> [[f64; N]; 2] {
     let mut left = c;
-    for k in 1..N {
+    for (k, place) in left.iter_mut().enumerate().skip(1) {
         for i in 0..N - k {
             c[i] = 0.5 * c[i] + 0.5 * c[i + 1];
         }
-        left[k] = c[0];
+        *place = c[0];
     }
     [left, c]
 }

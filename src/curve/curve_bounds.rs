@@ -50,7 +50,7 @@ impl<S: Scalar<Mask = bool>> CurvePiece<S> {
         // A flat turn stays: its coordinate has no second derivative.
         if bend.magnitude().above(S::Primal::lit(1e-10)) {
             let change = (slope - S::from_primal(slope.primal())) * unit;
-            t = t - change.over(S::from_primal(bend));
+            t -= change.over(S::from_primal(bend));
         }
         of(self.point(t))
     }

@@ -78,7 +78,7 @@ impl<S: Scalar<Mask = bool>> CurvePiece<S> {
             if slope.above(size * S::Primal::lit(LEVEL)) {
                 let residual = (away * unit).dot(along);
                 let change = residual - S::from_primal(residual.primal());
-                t = t - change.over(S::from_primal(slope));
+                t -= change.over(S::from_primal(slope));
             }
         }
         t
@@ -182,7 +182,8 @@ fn polished(curve: Cubic2<f64>, point: Vec2<f64>, start: f64) -> f64 {
         let bend = (curve.point(t) - point).dot(curve.second_derivative(t));
         let next = t - left / (along.dot(along) + bend);
         let of_next = residual(next);
-        if !(0.0..=1.0).contains(&next) || !(of_next.abs() < left.abs()) {
+        let is_nearer = of_next.abs() < left.abs();
+        if !is_nearer || !(0.0..=1.0).contains(&next) {
             break;
         }
         (t, left) = (next, of_next);

@@ -30,7 +30,7 @@ impl Delaunay {
         if points.len() > MOST {
             return Err(Error::TooLarge);
         }
-        let mut sorted = Vec::with_capacity(points.len());
+        let mut places = Vec::with_capacity(points.len());
         for (number, point) in points.iter().enumerate() {
             let wide = |x: S| x.widened().unwrap_or(f64::NAN);
             let (x, y) = (wide(point.x), wide(point.y));
@@ -44,13 +44,17 @@ impl Delaunay {
                 }
             }
             // Both zeros are one place.
-            sorted.push((x + 0.0, y + 0.0, number as u32));
+            places.push((x + 0.0, y + 0.0, number as u32));
         }
+        Ok(Self::of_places(places))
+    }
+    /// Returns the triangulation of finite places with their numbers, from zero.
+    fn of_places(mut sorted: Vec<(f64, f64, u32)>) -> Self {
         sorted.sort_unstable_by(|a, b| {
             let by_place = a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1));
             by_place.then(a.2.cmp(&b.2))
         });
-        let mut firsts = vec![0; points.len()];
+        let mut firsts = vec![0; sorted.len()];
         for k in 0..sorted.len() {
             let (x, y, number) = sorted[k];
             let is_repeated = k > 0 && (sorted[k - 1].0, sorted[k - 1].1) == (x, y);
@@ -92,7 +96,7 @@ impl Delaunay {
         if made.triangles.is_empty() {
             made.hull = in_order;
         }
-        Ok(made)
+        made
     }
     /// Reads hull and triangles from the edges.
     fn read(&mut self, edges: &HalfEdges, outer: u32, numbers: &[u32]) {
