@@ -129,10 +129,11 @@ impl<S: Scalar> ByCorners for Vec3<S> {
 }
 
 impl<S: Scalar> ByCorners for Obb3<S> {
-    /// Corners are the centre and half of each axis to either side. With the vector h·aᵢ of a side from the centre, a
-    /// corner's slope s and its side σ, the length of the side has the slope σ·aᵢ·s/2, and its direction σ·h·s. A small
-    /// turn ω moves axes by ω × aᵢ, so the sum of aᵢ × σ·h·s is the slope by ω, which goes with the quaternion's change dq
-    /// as ω = 2·Im(dq·q⁻¹).
+    /// Returns the derivatives by centre, size and quaternion.
+    ///
+    /// With the vector h·aᵢ of a side from the centre, a corner's slope s and its side σ, the length of the side has the
+    /// slope σ·aᵢ·s/2, and its direction σ·h·s. A small turn ω moves axes by ω × aᵢ, so the sum of aᵢ × σ·h·s is the slope by
+    /// ω, which goes with the quaternion's change dq as ω = 2·Im(dq·q⁻¹).
     fn by_corners(&self, by: &ByCorner<S>, normal: Vec3<S>, factor: S) -> Self {
         let axes = axes(self.rotation);
         let half = [self.size.x, self.size.y, self.size.z].each_as(S::halved);
