@@ -14,6 +14,9 @@ mod calibrate;
 mod custom_shape;
 mod embedded;
 mod first;
+#[expect(dead_code, reason = "tests need a part of the program")]
+#[path = "../../examples/register/fitting.rs"]
+mod fitting;
 #[cfg(feature = "gpu")]
 mod gpu_batch;
 #[expect(dead_code, reason = "tests need a part of the program")]
@@ -26,6 +29,10 @@ mod nearest;
 mod peg_in_hole;
 mod polygon_fit;
 mod refine_detections;
+mod register;
+#[expect(dead_code, reason = "tests need a part of the program")]
+#[path = "../../examples/register/scan.rs"]
+mod scan;
 mod zoning;
 
 /// The program of an example. `cargo test` of the whole workspace builds it before it runs a test; a
@@ -320,6 +327,7 @@ fn wrong_command_lines() {
         "polygon_fit",
         "layout",
         "arm_clearance",
+        "register",
         "zoning",
         "peg_in_hole",
     ] {
