@@ -10,7 +10,12 @@ mod assign;
 #[expect(dead_code, reason = "tests need a part of the program")]
 #[path = "../../examples/peg_in_hole/bodies.rs"]
 mod bodies;
+#[path = "../../examples/grasp/brute_force.rs"]
+mod brute_force;
 mod calibrate;
+#[expect(dead_code, reason = "tests need a part of the program")]
+#[path = "../../examples/grasp/closing.rs"]
+mod closing;
 mod custom_shape;
 mod embedded;
 mod first;
@@ -19,6 +24,9 @@ mod first;
 mod fitting;
 #[cfg(feature = "gpu")]
 mod gpu_batch;
+mod grasp;
+#[path = "../../examples/grasp/gripper.rs"]
+mod gripper;
 #[expect(dead_code, reason = "tests need a part of the program")]
 #[path = "../../examples/peg_in_hole/insertion.rs"]
 mod insertion;
@@ -327,6 +335,7 @@ fn wrong_command_lines() {
         "polygon_fit",
         "layout",
         "arm_clearance",
+        "grasp",
         "register",
         "zoning",
         "peg_in_hole",
