@@ -9,7 +9,7 @@ pub fn solved<const N: usize>(mut matrix: [[f64; N]; N], mut right: [f64; N]) ->
             let rest = matrix[i][j] - sum;
             matrix[i][j] = if i == j {
                 // The digits that a difference of this size has.
-                if !(rest > 1e-14 * matrix[i][i].abs()) {
+                if rest.is_nan() || rest <= 1e-14 * matrix[i][i].abs() {
                     return None;
                 }
                 rest.sqrt()

@@ -186,8 +186,8 @@ impl Normal {
         }
     }
     fn slope(&mut self, weight: f64, row: &Step<f64>) {
-        for i in 0..6 {
-            self.slope[i] += weight * row[i];
+        for (slope, x) in self.slope.iter_mut().zip(row) {
+            *slope += weight * x;
         }
     }
     /// The step to the least sum; `None` if the matrix has none.
