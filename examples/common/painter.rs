@@ -92,17 +92,21 @@ impl Painter {
     pub fn finish(mut self, page: &mut Page) {
         self.marks.sort_by(|a, b| a.0.total_cmp(&b.0));
         // Outlines of a face's own colour close the gaps between neighbours.
-        page.group(r#"stroke-width="0.4" stroke-linejoin="round""#, |page| {
+        let style = r#"fill="currentColor" stroke="currentColor" stroke-width="0.4" stroke-linejoin="round""#;
+        page.group(style, |page| {
             for (_, mark) in self.marks {
                 match mark {
-                    Mark::Face(corners, colour) => {
-                        let colour = hex(colour);
-                        let style = format_args!(r#"fill="{colour}" stroke="{colour}""#);
-                        page.polygon(corners, style);
+                    Mark::Face([a, b, c], colour) => {
+                        let (b, c) = (b - a, c - b);
+                        let way = format_args!(
+                            "M{:.1} {:.1}l{:.1} {:.1} {:.1} {:.1}z",
+                            a.x, a.y, b.x, b.y, c.x, c.y
+                        );
+                        page.path(way, format_args!(r#"color="{}""#, hex(colour)));
                     }
                     Mark::Dot(at, pixels, colour) => {
-                        let colour = hex(colour);
-                        page.circle(at, pixels, format_args!(r#"fill="{colour}""#));
+                        let style = format_args!(r#"stroke="none" color="{}""#, hex(colour));
+                        page.circle(at, pixels, style);
                     }
                 }
             }
@@ -114,6 +118,7 @@ impl Painter {
 fn faces_of(capsule: &Capsule3<f64>) -> Faces {
     const ROUND: usize = 20;
     const CAP: usize = 5;
+    const PIECE: f64 = 4e-3;
     let along = (capsule.end - capsule.start).normalize_or_zero();
     let least = match along.x.abs() < 0.6 {
         true => Vec3::new(1.0, 0.0, 0.0),
@@ -121,12 +126,16 @@ fn faces_of(capsule: &Capsule3<f64>) -> Faces {
     };
     let side = along.cross(least).normalize_or_zero();
     let other = along.cross(side);
+    // Short faces, since their middles decide which is drawn first.
+    let length = (capsule.end - capsule.start).length();
+    let pieces = (length / PIECE).ceil().max(1.0);
+    let angle = |k: usize| k as f64 / (CAP - 1) as f64;
+    let mut rings: Vec<(f64, f64)> = (0..CAP).map(|k| (0.0, angle(k) - 1.0)).collect();
+    rings.extend((1..pieces as usize).map(|k| (k as f64 / pieces, 0.0)));
+    rings.extend((0..CAP).map(|k| (1.0, angle(k))));
     let mut vertices = Vec::new();
-    for ring in 0..2 * CAP {
-        let (center, angle) = match ring < CAP {
-            true => (capsule.start, ring as f64 / (CAP - 1) as f64 - 1.0),
-            false => (capsule.end, (ring - CAP) as f64 / (CAP - 1) as f64),
-        };
+    for &(part, angle) in &rings {
+        let center = capsule.start.lerp(capsule.end, part);
         let (height, width) = (0.999 * angle * FRAC_PI_2).sin_cos();
         for k in 0..ROUND {
             let (sin, cos) = (TAU * k as f64 / ROUND as f64).sin_cos();
@@ -135,7 +144,7 @@ fn faces_of(capsule: &Capsule3<f64>) -> Faces {
         }
     }
     let at = |ring: usize, k: usize| (ring * ROUND + k % ROUND) as u32;
-    let quads = (0..2 * CAP - 1).flat_map(|ring| (0..ROUND).map(move |k| (ring, k)));
+    let quads = (0..rings.len() - 1).flat_map(|ring| (0..ROUND).map(move |k| (ring, k)));
     let faces = quads.flat_map(|(ring, k)| {
         let [a, b] = [at(ring, k), at(ring, k + 1)];
         let [c, d] = [at(ring + 1, k + 1), at(ring + 1, k)];

@@ -49,14 +49,16 @@ fn solid_angle(corners: [Vec3<f64>; 3], p: Vec3<f64>) -> f64 {
 /// distance from one triangle is convex, so that thirds find its least value.
 fn nearest(mesh: &Faces, part: &Capsule3<f64>) -> (f64, [Vec3<f64>; 2]) {
     let at = |t: f64| part.start + (part.end - part.start) * t;
-    let (middle, half) = (at(0.5), 0.5 * (part.end - part.start).length());
-    let mut best = (f64::INFINITY, [middle; 2]);
+    let axis = part.end - part.start;
+    let mut best = (f64::INFINITY, [part.start; 2]);
     for face in &mesh.faces {
         let corners = face.map(|vertex| mesh.vertices[vertex as usize]);
         let center = (corners[0] + corners[1] + corners[2]) * (1.0 / 3.0);
         let size = corners.map(|corner| (corner - center).length());
         let size = size.into_iter().fold(0.0, f64::max);
-        if (center - middle).length() - half - size > best.0 {
+        // A face that is far from its middle on has no nearer point.
+        let along = (center - part.start).dot(axis) / axis.length_squared();
+        if (center - at(along.clamp(0.0, 1.0))).length() - size > best.0 {
             continue;
         }
         let way = |t: f64| (foot(corners, at(t)) - at(t)).length();

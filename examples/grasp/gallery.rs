@@ -4,6 +4,7 @@ use common::blend::Faces;
 use common::painter::{Colour, Painter, View};
 use common::svg::{FAINT, Page, headed};
 use geograd::Vec2;
+use std::f64::consts::PI;
 
 const PANEL: Vec2<f64> = Vec2::new(300.0, 290.0);
 const LEFT: f64 = 24.0;
@@ -43,6 +44,13 @@ pub fn page(all: &[Shown<'_>]) -> String {
         words,
     );
     for (column, shown) in all.iter().enumerate() {
+        // From the side where the palm is not.
+        let [_, _, palm] = gripper::parts(shown.grasps[1]);
+        let near = View::turned(Vec2::zero(), SCALE, TURNED, TILTED).axes[2];
+        let turned = match near.dot(palm.center()) > 0.0 {
+            true => TURNED + PI,
+            false => TURNED,
+        };
         for row in 0..2 {
             let corner = Vec2::new(
                 LEFT + column as f64 * (PANEL.x + LEFT),
@@ -57,7 +65,7 @@ pub fn page(all: &[Shown<'_>]) -> String {
             page.ground(&id, [corner.x, corner.y, PANEL.x, PANEL.y]);
             page.inside(&id, |page| {
                 let origin = corner + PANEL * 0.5 + Vec2::new(0.0, 25.0);
-                let mut painter = Painter::new(View::turned(origin, SCALE, TURNED, TILTED));
+                let mut painter = Painter::new(View::turned(origin, SCALE, turned, TILTED));
                 painter.mesh(shown.body, BODY);
                 let parts = gripper::parts(shown.grasps[row]);
                 for (part, colour) in parts.iter().zip([FINGERS, FINGERS, PALM]) {

@@ -34,7 +34,7 @@ Usage: grasp [options]
   --body NAME    only this one: kettle, bracket, mug, bone or hammer
   --starts N     random starts of every body [default: 256]
   --steps N      steps of least squares [default: 80]
-  --cell MM      the edge of a cell of the meshes in mm, 1 to 8 [default: 4]
+  --cell MM      the edge of a cell of the meshes in mm, 1 to 8 [default: 5]
   --seed N       other starts [default: 1]
   --svg FILE     a picture of the best grasps and their starts [default: grasp.svg]
   --help         this text
@@ -55,7 +55,7 @@ fn options() -> Result<Option<Options>, Failure> {
         bodies: blend::all().into(),
         starts: 256,
         steps: 80,
-        cell: 4e-3,
+        cell: 5e-3,
         seed: 1,
         svg: "grasp.svg".into(),
     };

@@ -37,7 +37,7 @@ Usage: register [options]
   --shift MM      the way by which starts are wrong [default: 15]
   --starts N      scans with a start each [default: 20]
   --steps N       steps of a registration at most [default: 200]
-  --cell MM       the edge of a cell of the mesh in mm, 1 to 12 [default: 4]
+  --cell MM       the edge of a cell of the mesh in mm, 1 to 12 [default: 5]
   --seed N        other scans [default: 1]
   --svg FILE      a picture of the first scan: before, after, and how far each way is from its end
                   [default: register.svg]
@@ -81,7 +81,7 @@ fn options() -> Result<Option<Options>, Failure> {
         shift: 15e-3,
         starts: 20,
         steps: 200,
-        cell: 4e-3,
+        cell: 5e-3,
         svg: "register.svg".into(),
     };
     let mut arguments = lexopt::Parser::from_env();
