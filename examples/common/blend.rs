@@ -206,7 +206,7 @@ impl Faces {
             let (mut point, normal) = (sum * (1.0 / count), normals.normalize_or_zero());
             for _ in 0..3 {
                 let (height, slope) = jvp(|point: Vec3<_>| body.height(point), point, normal);
-                // Where parts and cuts meet the slope may vanish.
+                // The slope may vanish at a seam of parts and cuts.
                 if slope > 0.3 {
                     point -= normal * (height / slope);
                 }

@@ -39,13 +39,13 @@ impl View {
     }
 }
 
-/// What is drawn at a depth.
+/// A mark at a depth.
 enum Mark {
     Face([Vec2<f64>; 3], Colour),
     Dot(Vec2<f64>, f64, Colour),
 }
 
-/// What a view shows, until all of it is drawn.
+/// The marks of a view, until all of them are drawn.
 pub struct Painter {
     view: View,
     marks: Vec<(f64, Mark)>,

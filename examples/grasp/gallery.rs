@@ -34,7 +34,7 @@ pub fn page(all: &[Shown<'_>]) -> String {
         LEFT + columns * (PANEL.x + LEFT),
         TOP + 2.0 * (PANEL.y + WORDS) + LEFT,
     );
-    let title = "Where two fingers take hold: starts, and grasps found by gradient";
+    let title = "Two fingers take hold: starts, and the grasps that derivatives find";
     let mut page = Page::titled(size, title);
     page.head(LEFT, title, []);
     let words = "both fingers touch, no part overlaps the body or the table, the line of both contacts is in both cones of friction";

@@ -179,7 +179,7 @@ fn run() -> Result<String, Failure> {
     bar.finish_and_clear();
     let mut text = format!(
         "{} starts, {} steps; a good grasp touches within {:.0} µm, overlaps nothing, and holds by friction of {:.1}°\n\
-         of the best: opening, angles between the line of contacts and normals, way of the centroid from it, gaps\n\
+         the best one: opening, angles between the line of contacts and normals, way of the centroid from it, gaps\n\
          {:<9}{:>7}{:>9}{:>11}{:>11}{:>13}{:>9}{:>16}{:>10}{:>18}\n",
         options.starts,
         options.steps,

@@ -30,12 +30,12 @@ pub enum FilePlace {
 pub enum FileFlaw {
     /// The file ends, or its line, before what must follow.
     Ends {
-        /// What is missing.
+        /// The missing part.
         expected: &'static str,
     },
     /// A word is not what must be there.
     Unexpected {
-        /// What must be there.
+        /// The part that must be there.
         expected: &'static str,
         /// The word, or its beginning.
         found: String,

@@ -71,7 +71,7 @@ impl MeshFile {
     ///
     /// # Errors
     ///
-    /// [`MeshFault::Empty`] for a file without faces. What a reader returns has no other fault.
+    /// [`MeshFault::Empty`] for a file without faces. Results of readers have no other fault.
     pub fn mesh(&self) -> Result<Mesh<'_, f64>, MeshFault> {
         Mesh::new(&self.vertices, &self.faces)
     }

@@ -40,7 +40,7 @@ impl PlyNumber {
     }
 }
 
-/// What a property means for the mesh.
+/// The meaning of a property for the mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PlyMeaning {
     /// A coordinate of a vertex: 0, 1 or 2.

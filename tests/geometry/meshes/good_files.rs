@@ -135,7 +135,7 @@ fn stl_of_other_programs() {
     assert_eq!((plain.vertices.len(), plain.faces.len()), (42, 80));
     bytes[..5].copy_from_slice(b"solid");
     assert_eq!(read_stl(&bytes).unwrap(), plain);
-    // What follows the last triangle is no part of the mesh.
+    // Bytes after the last triangle are no part of the mesh.
     bytes[..5].copy_from_slice(b"other");
     bytes.extend_from_slice(b"more");
     assert_eq!(read_stl(&bytes).unwrap(), plain);
