@@ -33,6 +33,7 @@
 //! | measure distances, closest points and penetration of shapes in space | [`distance3`] |
 //! | cast rays in space, cut segments | [`intersection3`] |
 //! | measure distances from meshes of triangles, cast rays at them, wind around them | [`mesh`] |
+//! | read and write meshes in files of OBJ, STL, PLY | `mesh_files` |
 //! | find the nearest points of a cloud | [`cloud`] |
 //! | find when moving bodies meet, and how near they come | [`motion`] |
 //! | find the boxes that contain points | [`kernels::points`] |
@@ -101,7 +102,8 @@
 //! `parallel` (default): batches on all cores. `native` (default): functions without a compiled kernel run as machine
 //! code on x86-64. `gpu`: batches on a GPU. `glam`, `geo-types`, `kurbo`, `mint`, `nalgebra`: conversions of points, vectors
 //! and curves; the last one also `num-dual`'s vector duals. `serde`:
-//! serialization. `proptest`: strategies. `boolean`: [boolean operations](boolean) of polygons. `check`: the
+//! serialization. `proptest`: strategies. `boolean`: [boolean operations](boolean) of polygons.
+//! `mesh-files`: meshes in files of OBJ, STL and PLY. `check`: the
 //! [harness](check) that checks derivatives, for `[dev-dependencies]`.
 #![warn(missing_docs)]
 // clippy.toml lists them: functions of the platform's library.
@@ -143,6 +145,8 @@ pub mod iou;
 pub mod iou3;
 pub mod measure;
 pub mod mesh;
+#[cfg(feature = "mesh-files")]
+pub mod mesh_files;
 pub mod metric;
 pub mod motion;
 pub mod offset;

@@ -26,7 +26,10 @@ pub fn vectors(array: &Object<'_>) -> PyResult<Vec<Vec2<f64>>> {
     Ok(all.iter().map(|&[x, y]| Vec2::new(x, y)).collect())
 }
 /// Returns an array of shape (N, 2).
-pub fn in_plane<'py>(py: Python<'py>, all: impl Iterator<Item = Vec2<f64>>) -> PyResult<Object<'py>> {
+pub fn in_plane<'py>(
+    py: Python<'py>,
+    all: impl Iterator<Item = Vec2<f64>>,
+) -> PyResult<Object<'py>> {
     let flat: Vec<f64> = all.flat_map(|v| [v.x, v.y]).collect();
     let count = flat.len() / 2;
     PyArray1::from_vec(py, flat)

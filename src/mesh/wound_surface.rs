@@ -3,8 +3,9 @@
 //! *Value.* Strips from the border to infinity along −x close a mesh. A closed one has a whole winding number, which a ray
 //! along x gives: faces that it leaves, less those that it enters; it passes beside all strips. So the winding number is
 //! that whole one plus the solid angles of the strips over 4π (Martens and Bessmeltsev, One-shot method for computing
-//! generalized winding numbers, 2025). Crossings and signs of strips are exact and agree, as for one point that is moved by
-//! less than any number.
+//! generalized winding numbers, Computer Graphics Forum 44, 2025; as a sum of crossings and a border's integral Martens,
+//! Trettner and Bessmeltsev, The antipodal method, 2026). Crossings and signs of strips are exact and agree, as for one
+//! point that is moved by less than any number.
 //!
 //! *Derivative.* The solid angle changes by what the border sweeps. With the edge from `a` to `b`, seen from the point,
 //! and `D = |a||b| + a·b`, a moved start has `b×a / (|a| D)`, a moved end `b×a / (|b| D)`.

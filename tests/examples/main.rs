@@ -10,12 +10,23 @@ mod assign;
 #[expect(dead_code, reason = "tests need a part of the program")]
 #[path = "../../examples/peg_in_hole/bodies.rs"]
 mod bodies;
+#[path = "../../examples/grasp/brute_force.rs"]
+mod brute_force;
 mod calibrate;
+#[expect(dead_code, reason = "tests need a part of the program")]
+#[path = "../../examples/grasp/closing.rs"]
+mod closing;
 mod custom_shape;
 mod embedded;
 mod first;
+#[expect(dead_code, reason = "tests need a part of the program")]
+#[path = "../../examples/register/fitting.rs"]
+mod fitting;
 #[cfg(feature = "gpu")]
 mod gpu_batch;
+mod grasp;
+#[path = "../../examples/grasp/gripper.rs"]
+mod gripper;
 #[expect(dead_code, reason = "tests need a part of the program")]
 #[path = "../../examples/peg_in_hole/insertion.rs"]
 mod insertion;
@@ -26,6 +37,10 @@ mod nearest;
 mod peg_in_hole;
 mod polygon_fit;
 mod refine_detections;
+mod register;
+#[expect(dead_code, reason = "tests need a part of the program")]
+#[path = "../../examples/register/scan.rs"]
+mod scan;
 mod zoning;
 
 /// The program of an example. `cargo test` of the whole workspace builds it before it runs a test; a
@@ -320,6 +335,8 @@ fn wrong_command_lines() {
         "polygon_fit",
         "layout",
         "arm_clearance",
+        "grasp",
+        "register",
         "zoning",
         "peg_in_hole",
     ] {
