@@ -176,6 +176,7 @@ impl<T: Real> Mask for SymMask<T> {
 impl<T: Real> Scalar for Sym<T> {
     type Mask = SymMask<T>;
     type Primal = Self;
+    const RECORDS: bool = true;
     #[inline(always)]
     fn format() -> crate::scalar::Format {
         Symbol::format()

@@ -34,10 +34,10 @@ enum NumberBlock {
 }
 
 impl NumberBlock {
-    /// Returns the number of scalars in a program, which has no codes, and in a column.
-    const fn sizes<R: Item>(self) -> [usize; 2] {
+    /// Returns the number of scalars in a program, which has no codes, and in a column, given those of the input.
+    const fn sizes(self, input: [usize; 2]) -> [usize; 2] {
         match self {
-            NumberBlock::Input => [R::LEN, width::<R>()],
+            NumberBlock::Input => input,
             NumberBlock::Plain(count) => [count, count],
             NumberBlock::Hints(count) | NumberBlock::Still(count) => [count, 0],
         }
@@ -57,14 +57,76 @@ impl NumberBlock {
 
 /// The replays of the search `D` in the format `T`, differentiated.
 struct DerivedReplays<D: HintedSearch, T> {
+    blocks: DerivedBlocks,
+    programs: Cache<D, Recorded>,
+    format: std::marker::PhantomData<fn() -> T>,
+}
+
+/// Returns the numbers of scalars of an input in a program and in a column.
+const fn input_sizes<R: Item>() -> [usize; 2] {
+    [R::LEN, width::<R>()]
+}
+
+/// The steps of a differentiated replay, and the blocks of its numbers.
+struct DerivedBlocks {
     /// The derivatives one after another, each with the places of its results that are kept: those by hints are not.
     steps: Vec<(DerivativeStep, Vec<usize>)>,
     /// Blocks of an item.
     takes: Vec<NumberBlock>,
     /// Blocks of a result.
     gives: Vec<NumberBlock>,
-    programs: Cache<D, Recorded>,
-    format: std::marker::PhantomData<fn() -> T>,
+}
+
+impl DerivedBlocks {
+    /// Returns those of a search with so many scalars of its input, its hints and its result.
+    fn new(steps: Vec<DerivativeStep>, input: [usize; 2], hints: usize, result: usize) -> Self {
+        let mut takes = vec![NumberBlock::Input];
+        if hints > 0 {
+            takes.push(NumberBlock::Hints(hints));
+        }
+        let mut gives = vec![NumberBlock::Plain(result)];
+        let mut kept = Vec::new();
+        for step in steps {
+            let (own, results) = (takes.clone(), gives.clone());
+            // All blocks of the differentiated program's result, which has derivatives by hints, too.
+            let mut all = Vec::new();
+            match step {
+                DerivativeStep::Mode(Mode::Value) => all.extend(results),
+                DerivativeStep::Mode(Mode::ValueGrad) => all.extend([results, own].concat()),
+                DerivativeStep::Mode(Mode::Jacobian) => {
+                    let count = numbers_of(&results, input);
+                    all.extend(results);
+                    (0..count).for_each(|_| all.extend(&own));
+                }
+                DerivativeStep::Mode(Mode::Vjp) => {
+                    takes.extend(results);
+                    all = own;
+                }
+                DerivativeStep::Along(Order::First) => {
+                    takes.extend(own.into_iter().map(NumberBlock::direction));
+                    all.extend([&results[..], &results].concat());
+                }
+                DerivativeStep::Along(Order::Second) => {
+                    takes.extend(own.iter().map(|block| block.direction()));
+                    all = own;
+                }
+            }
+            let mut places = Vec::new();
+            let mut first = 0;
+            for block in &all {
+                let count = block.sizes(input)[0];
+                places.extend((first..first + count).filter(|_| block.varies()));
+                first += count;
+            }
+            kept.push((step, places));
+            gives = all.into_iter().filter(|block| block.varies()).collect();
+        }
+        DerivedBlocks {
+            steps: kept,
+            takes,
+            gives,
+        }
+    }
 }
 
 /// Returns the replays of a search, differentiated by some steps.
@@ -72,59 +134,22 @@ pub(crate) fn of<D, R: Item>(steps: Vec<DerivativeStep>) -> Arc<dyn Replays<R::S
 where
     D: HintedSearch<In<<R as Pack>::Scalar> = R>,
 {
-    let mut takes = vec![NumberBlock::Input];
-    if D::Hints::<R::Scalar>::LEN > 0 {
-        takes.push(NumberBlock::Hints(D::Hints::<R::Scalar>::LEN));
-    }
-    let mut gives = vec![NumberBlock::Plain(D::Out::<R::Scalar>::LEN)];
-    let mut kept = Vec::new();
-    for step in steps {
-        let (own, results) = (takes.clone(), gives.clone());
-        // All blocks of the differentiated program's result, which has derivatives by hints, too.
-        let mut all = Vec::new();
-        match step {
-            DerivativeStep::Mode(Mode::Value) => all.extend(results),
-            DerivativeStep::Mode(Mode::ValueGrad) => all.extend([results, own].concat()),
-            DerivativeStep::Mode(Mode::Jacobian) => {
-                let count = numbers_of::<R>(&results);
-                all.extend(results);
-                (0..count).for_each(|_| all.extend(&own));
-            }
-            DerivativeStep::Mode(Mode::Vjp) => {
-                takes.extend(results);
-                all = own;
-            }
-            DerivativeStep::Along(Order::First) => {
-                takes.extend(own.into_iter().map(NumberBlock::direction));
-                all.extend([&results[..], &results].concat());
-            }
-            DerivativeStep::Along(Order::Second) => {
-                takes.extend(own.iter().map(|block| block.direction()));
-                all = own;
-            }
-        }
-        let mut places = Vec::new();
-        let mut first = 0;
-        for block in &all {
-            let count = block.sizes::<R>()[0];
-            places.extend((first..first + count).filter(|_| block.varies()));
-            first += count;
-        }
-        kept.push((step, places));
-        gives = all.into_iter().filter(|block| block.varies()).collect();
-    }
+    let hints = D::Hints::<R::Scalar>::LEN;
     Arc::new(DerivedReplays::<D, R::Scalar> {
-        steps: kept,
-        takes,
-        gives,
+        blocks: DerivedBlocks::new(
+            steps,
+            const { input_sizes::<R>() },
+            hints,
+            D::Out::<R::Scalar>::LEN,
+        ),
         programs: RwLock::default(),
         format: std::marker::PhantomData,
     })
 }
 
-/// Returns the number of scalars of some blocks in a program, which has no codes.
-fn numbers_of<R: Item>(blocks: &[NumberBlock]) -> usize {
-    blocks.iter().map(|block| block.sizes::<R>()[0]).sum()
+/// Returns the number of scalars of some blocks in a program, which has no codes, given the sizes of an input.
+fn numbers_of(blocks: &[NumberBlock], input: [usize; 2]) -> usize {
+    blocks.iter().map(|block| block.sizes(input)[0]).sum()
 }
 
 /// Returns the value of a key, made at first use. If two threads make it, the first is kept.
@@ -208,7 +233,7 @@ where
     /// Records a replay and differentiates it.
     fn program(&self, codes: &[u32], record: D::Record) -> Result<Recorded, Error> {
         let mut recorded = recorded::<D>(T::FORMAT, codes, record)?;
-        for (step, kept) in &self.steps {
+        for (step, kept) in &self.blocks.steps {
             recorded = match *step {
                 // Without the value, which [`by_reverse`] puts first: a replay computes the derivative alone.
                 DerivativeStep::Mode(Mode::Vjp) => recorded.vjp(),
@@ -227,8 +252,8 @@ where
         let input = input::<D, T>(numbers);
         let (record, hints) = D::decide_with_hints::<T>(input);
         let mut rest = numbers;
-        for block in &self.takes {
-            let (own, others) = rest.split_at(block.sizes::<D::In<T>>()[1]);
+        for block in &self.blocks.takes {
+            let (own, others) = rest.split_at(block.sizes(input_sizes::<D::In<T>>())[1]);
             match block {
                 NumberBlock::Input => {
                     taken.extend_from_slice(&by_kind::<D::In<T>>(own)[..D::In::<T>::LEN]);
@@ -265,13 +290,14 @@ where
         D::Hints::<T>::LEN
     }
     fn sizes(&self) -> [usize; 2] {
-        [&self.takes, &self.gives].map(|blocks| numbers_of::<D::In<T>>(blocks))
+        [&self.blocks.takes, &self.blocks.gives]
+            .map(|blocks| numbers_of(blocks, input_sizes::<D::In<T>>()))
     }
     fn put(&self, numbers: &[T], found: &[T], row: &mut [T]) {
         let codes = input::<D, T>(numbers).codes();
         let (mut found, mut row) = (found, row);
-        for block in &self.gives {
-            let [from, to] = block.sizes::<D::In<T>>();
+        for block in &self.blocks.gives {
+            let [from, to] = block.sizes(input_sizes::<D::In<T>>());
             let (own, others) = found.split_at(from);
             let (place, after) = row.split_at_mut(to);
             match block {

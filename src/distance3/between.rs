@@ -30,6 +30,20 @@ fn view<S: Scalar, A: Core3<S>, B: Core3<S>>(a: &A, b: &B) -> (Vec3<S>, S) {
 /// computed once.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn relate<S: Scalar, A: Core3<S>, B: Core3<S>>(a: A, b: B) -> Relation<S> {
+    match S::RECORDS {
+        true => related_once(a, b),
+        false => related(a, b),
+    }
+}
+
+/// Returns the relation of two cores of symbols, for all functions that record it.
+#[inline(never)]
+fn related_once<S: Scalar, A: Core3<S>, B: Core3<S>>(a: A, b: B) -> Relation<S> {
+    related(a, b)
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn related<S: Scalar, A: Core3<S>, B: Core3<S>>(a: A, b: B) -> Relation<S> {
     if let (Some(a), Some(b)) = (a.as_box(), b.as_box()) {
         return pair::relate(a, b);
     }

@@ -54,6 +54,7 @@ pub trait Tangent:
 impl<D: Tangent> Scalar for D {
     type Mask = <D::Inner as Scalar>::Mask;
     type Primal = <D::Inner as Scalar>::Primal;
+    const RECORDS: bool = <D::Inner as Scalar>::RECORDS;
     #[inline(always)]
     fn format() -> crate::scalar::Format {
         D::Inner::format()

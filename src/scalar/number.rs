@@ -48,6 +48,9 @@ pub trait Scalar:
     type Mask: Mask;
     /// The plain number (or lanes of plain numbers) under all derivative parts.
     type Primal: Scalar<Mask = Self::Mask, Primal = Self::Primal>;
+    /// `true` for symbols: large functions of them are compiled once instead of inlined, since they run once.
+    #[doc(hidden)]
+    const RECORDS: bool = false;
 
     /// Returns the format of the plain numbers, which knows their epsilon and their largest number. Of a symbol it is
     /// that of the recording, known when it runs alone.
