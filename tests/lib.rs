@@ -62,6 +62,11 @@ fn hash(share: &str, name: &str) -> u64 {
     Dice(mixed).bits()
 }
 
+/// Returns `true` if slow tests take everything: with `GEOGRAD_ALL_ROWS=1`.
+fn takes_all() -> bool {
+    std::env::var("GEOGRAD_ALL_ROWS").is_ok_and(|x| x == "1")
+}
+
 /// A slow test runs for one of so many commits.
 const TURN: u64 = 3;
 
@@ -70,6 +75,5 @@ const TURN: u64 = 3;
 #[must_use]
 pub fn is_due(test: &str) -> bool {
     let share = std::env::var("GEOGRAD_SHARE").unwrap_or_default();
-    std::env::var("GEOGRAD_ALL_ROWS").is_ok_and(|x| x == "1")
-        || hash(&share, test).is_multiple_of(TURN)
+    takes_all() || hash(&share, test).is_multiple_of(TURN)
 }

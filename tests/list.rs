@@ -1,5 +1,5 @@
 //! Rows of the library with all that judges them, compiled here once for tests and reports.
-use crate::hash;
+use crate::{hash, takes_all};
 use geograd::Real;
 use geograd::ad::check::sample::Draw;
 use geograd::kernels::dynamic::{self, Mode, named_rows};
@@ -60,9 +60,7 @@ pub fn sample(rows: Vec<&'static Tested>, always: &[&str]) -> Vec<&'static Teste
 /// If no row has a name that is wanted always.
 #[must_use]
 pub fn are_sampled(names: Vec<&'static str>, always: &[&str]) -> HashSet<&'static str> {
-    if std::env::var("GEOGRAD_ALL_ROWS").is_ok_and(|x| x == "1")
-        || std::env::var("GEOGRAD_OP").is_ok()
-    {
+    if takes_all() || std::env::var("GEOGRAD_OP").is_ok() {
         return names.into_iter().collect();
     }
     for name in always {

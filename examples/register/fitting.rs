@@ -7,6 +7,7 @@
 //! | Gauss and Newton | derivatives of distances by the pose, of first order |
 //! | Newton | the exact Hessian of the sum: of faces, edges, corners, and of the motion |
 use common::positive::solved;
+use geograd::kernels::cpu::mesh_batches::MeshDistance;
 use geograd::kernels::{Cpu, One, function};
 use geograd::mesh::{FaceFeature, FaceRecord, MeshSurface, distance_replay};
 use geograd::procrustes::procrustes_rigid;
@@ -77,6 +78,14 @@ pub fn huber(x: f64, width: f64) -> [f64; 3] {
     match x.abs() <= width {
         true => [0.5 * x * x, x, 1.0],
         false => [width * (x.abs() - 0.5 * width), width * x.signum(), 0.0],
+    }
+}
+
+/// The weight of a square that stands for Huber's function at a number.
+fn weight(x: f64, width: f64) -> f64 {
+    match x.abs() <= width {
+        true => 1.0,
+        false => width / x.abs(),
     }
 }
 
@@ -222,12 +231,7 @@ impl Fit {
         let points: Vec<_> = scan.iter().map(|&point| pose * point).collect();
         let cpu = Cpu::new();
         let records = cpu.nearest_faces(surface, &points)?;
-        let distances = cpu.mesh_distances(
-            geograd::kernels::cpu::mesh_batches::MeshDistance::Plain,
-            surface,
-            &points,
-            &records,
-        )?;
+        let distances = cpu.mesh_distances(MeshDistance::Plain, surface, &points, &records)?;
         Ok(Fit {
             points,
             records,
@@ -239,8 +243,7 @@ impl Fit {
     }
     /// The weights of squares that stand for Huber's function here.
     fn weights(&self, width: f64) -> Vec<f64> {
-        let weight = |&x: &f64| if x <= width { 1.0 } else { width / x };
-        self.distances.iter().map(weight).collect()
+        self.distances.iter().map(|&x| weight(x, width)).collect()
     }
     fn center(&self) -> Vec3<f64> {
         let sum = self.points.iter().fold(Vec3::zero(), |sum, &p| sum + p);
@@ -262,11 +265,7 @@ fn of_planes(
         let (arm, height) = (fit.points[i] - center, normal.dot(fit.points[i] - foot));
         let turn = arm.cross(normal);
         let row = [turn.x, turn.y, turn.z, normal.x, normal.y, normal.z];
-        let weight = if height.abs() <= width {
-            1.0
-        } else {
-            width / height.abs()
-        };
+        let weight = weight(height, width);
         sum.add(weight, &row);
         sum.slope(weight * height, &row);
     }
@@ -285,11 +284,7 @@ fn of_distances(
     let (mut sum, mut sizes) = (Normal::zero(), [0.0; 6]);
     for (i, row) in all.first.iter().enumerate() {
         let [_, slope, curvature] = huber(all.distances[i], width);
-        let weight = if all.distances[i] <= width {
-            1.0
-        } else {
-            width / all.distances[i]
-        };
+        let weight = weight(all.distances[i], width);
         for (size, x) in sizes.iter_mut().zip(row) {
             *size += weight * x * x;
         }

@@ -224,7 +224,7 @@ impl Cpu {
         Ok(first_of_all(surface, rays))
     }
 
-    /// Returns the faces that each ray meets, in the order of [`MeshSurface::all_hits`].
+    /// Returns the faces that each ray meets, in the order of [`MeshSurface::all_hit_faces`].
     ///
     /// # Errors
     ///
@@ -236,8 +236,7 @@ impl Cpu {
     ) -> Result<Vec<Vec<u32>>, Error> {
         check("rays", rays)?;
         Ok(each(rays.len(), Vec::new(), |i| {
-            let hits = surface.all_hits(rays[i]);
-            hits.into_iter().map(|hit| hit.face).collect()
+            surface.all_hit_faces(rays[i])
         }))
     }
 

@@ -1,6 +1,6 @@
 //! Distances of convex hulls of space as operations, with a search.
 use crate::distance3::hulls::{
-    ByCorners, HullRecord, by_vertices, corner_slopes, hulls_replay, hulls_search,
+    ByCorners, HullRecord, corner_slopes, hulls_replay, hulls_search,
 };
 use crate::distance3::{Apart, Contact3, PointPair3};
 use crate::kernels::verbs::{ClosestPoints, Distance, Penetration, SignedDistance};
@@ -44,16 +44,12 @@ macro_rules! by_first {
         let _ = ($a, $b, $record, $bar);
         None
     }};
-    (adjoint Hull3 $replay:ident, $a:ident, $b:ident, $record:ident, $bar:ident) => {{
-        let found = corner_slopes(&$a, &$b, $record, |found| by_first!(factor $replay, found, $bar));
-        let gradient = (by_vertices(&$a, &found.by_a), by_vertices(&$b, &found.by_b));
-        Some((found.relation.$replay(), gradient))
-    }};
     (adjoint $A:ident $replay:ident, $a:ident, $b:ident, $record:ident, $bar:ident) => {{
         let found = corner_slopes(&$a, &$b, $record, |found| by_first!(factor $replay, found, $bar));
         let factor = by_first!(factor $replay, (&found.relation), $bar);
         let by_a = $a.by_corners(&found.by_a, found.relation.normal, factor);
-        Some((found.relation.$replay(), (by_a, by_vertices(&$b, &found.by_b))))
+        let by_b = $b.by_corners(&found.by_b, found.relation.normal, factor);
+        Some((found.relation.$replay(), (by_a, by_b)))
     }};
     // The distance of shapes that touch or overlap is constant.
     (factor distance, $found:tt, $bar:ident) => {

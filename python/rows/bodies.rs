@@ -14,6 +14,16 @@ macro_rules! contacts {
     };
 }
 macro_rules! moving {
+    ($Verb:ident) => {
+        moving! { $Verb:
+            Obb3, Obb3;
+            Capsule3, Capsule3;
+            Capsule3, Obb3;
+            Sphere, Obb3;
+            Vec3, Obb3;
+            Hull3x8, Hull3x8;
+        }
+    };
     ($Verb:ident: $($A:ident, $B:ident;)*) => {
         &[$(search::<
             <RowOf<$Verb, ($A<f64>, Motion3<f64>, $B<f64>, Motion3<f64>)> as Searches>::Search,
@@ -34,26 +44,6 @@ pub(crate) const ROWS: &[(&str, &[Operation])] = &[
             Hull3x8, Hull3x8;
         },
     ),
-    (
-        "time_of_impact",
-        moving! { TimeOfImpact:
-            Obb3, Obb3;
-            Capsule3, Capsule3;
-            Capsule3, Obb3;
-            Sphere, Obb3;
-            Vec3, Obb3;
-            Hull3x8, Hull3x8;
-        },
-    ),
-    (
-        "clearance",
-        moving! { Clearance:
-            Obb3, Obb3;
-            Capsule3, Capsule3;
-            Capsule3, Obb3;
-            Sphere, Obb3;
-            Vec3, Obb3;
-            Hull3x8, Hull3x8;
-        },
-    ),
+    ("time_of_impact", moving!(TimeOfImpact)),
+    ("clearance", moving!(Clearance)),
 ];

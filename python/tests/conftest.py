@@ -8,8 +8,9 @@ import pytest
 import geograd
 from geograd import _core
 
-# Of a test with more cases than this, one of so many runs for a share.
+# A test with more cases than this runs a share of them for a commit.
 MANY = 60
+# One case of so many is in a share.
 TURN = 3
 
 
@@ -18,11 +19,12 @@ def pytest_collection_modifyitems(config, items):
     share = os.environ.get("GEOGRAD_SHARE")
     if not share or os.environ.get("GEOGRAD_ALL_ROWS") == "1":
         return
-    cases = Counter(item.nodeid.partition("[")[0] for item in items)
+    tests = [item.nodeid.partition("[")[0] for item in items]
+    cases = Counter(tests)
     others = [
         item
-        for item in items
-        if cases[item.nodeid.partition("[")[0]] > MANY and zlib.crc32(f"{share} {item.nodeid}".encode()) % TURN
+        for item, test in zip(items, tests)
+        if cases[test] > MANY and zlib.crc32(f"{share} {item.nodeid}".encode()) % TURN
     ]
     config.hook.pytest_deselected(items=others)
     left = set(others)

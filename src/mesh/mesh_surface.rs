@@ -143,20 +143,25 @@ impl<S: Scalar<Mask = bool>> MeshSurface<'_, S> {
         let hit = first_hit_triangle(ray, self.mesh.triangle(face));
         Some(MeshHit { face, hit })
     }
-    /// Returns all points in which a ray meets faces, in the order of their parameters, at equal ones of the faces. A ray
-    /// through an edge or a vertex meets every face there that is not edge-on.
+    /// Returns all faces that a ray meets, in the order of parameters, at equal ones of the faces. A ray through an edge or
+    /// a vertex meets every face there that is not edge-on.
     #[must_use]
-    pub fn all_hits(&self, ray: Ray3<S>) -> Vec<MeshHit<S>> {
+    pub fn all_hit_faces(&self, ray: Ray3<S>) -> Vec<u32> {
         let (mut room, plain) = (SearchRoom::default(), plain_ray(ray));
         candidates::<Plain>(self.mesh.faces().len(), self.tree, plain, true, &mut room);
         let met = |&(_, face): &(f32, u32)| Some((meeting(&self.mesh, plain, face)?, face));
         let mut all: Vec<(f64, u32)> = room.candidates.iter().filter_map(met).collect();
         all.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        let replay = |(_, face)| MeshHit {
+        all.into_iter().map(|(_, face)| face).collect()
+    }
+    /// Returns where a ray meets the mesh, face by face in the order of [`all_hit_faces`](Self::all_hit_faces).
+    #[must_use]
+    pub fn all_hits(&self, ray: Ray3<S>) -> Vec<MeshHit<S>> {
+        let replay = |face| MeshHit {
             face,
             hit: first_hit_triangle(ray, self.mesh.triangle(face)),
         };
-        all.into_iter().map(replay).collect()
+        self.all_hit_faces(ray).into_iter().map(replay).collect()
     }
     /// Returns `true` if a ray from the point leaves the mesh through an odd number of faces, or if the point is on a
     /// face: for closed meshes, the points inside. Exact on the given numbers.

@@ -117,23 +117,17 @@ pub fn unexpected(expected: &'static str, word: &[u8]) -> FileFlaw {
     FileFlaw::Unexpected { expected, found }
 }
 
-/// Returns the number of a word.
-pub fn number(word: &[u8], expected: &'static str) -> Result<f64, FileFlaw> {
+/// Returns the number of a word, whole or not by its type.
+pub fn number<T: std::str::FromStr>(word: &[u8], expected: &'static str) -> Result<T, FileFlaw> {
     let number = std::str::from_utf8(word).ok().and_then(|x| x.parse().ok());
     number.ok_or_else(|| unexpected(expected, word))
 }
 
 /// Returns the finite number of a word.
 pub fn coordinate(word: &[u8]) -> Result<f64, FileFlaw> {
-    let number = number(word, "a coordinate")?;
+    let number: f64 = number(word, "a coordinate")?;
     match number.is_finite() {
         true => Ok(number),
         false => Err(FileFlaw::NotFinite),
     }
-}
-
-/// Returns the whole number of a word.
-pub fn whole<T: std::str::FromStr>(word: &[u8], expected: &'static str) -> Result<T, FileFlaw> {
-    let number = std::str::from_utf8(word).ok().and_then(|x| x.parse().ok());
-    number.ok_or_else(|| unexpected(expected, word))
 }

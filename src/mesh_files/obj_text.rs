@@ -1,7 +1,7 @@
 //! Wavefront OBJ.
 use super::MeshFile;
 use super::file_fault::{FileFault, FileFlaw, FileKind, FilePlace};
-use super::file_text::{TextLines, coordinate, unexpected, whole, words_of};
+use super::file_text::{TextLines, coordinate, number, unexpected, words_of};
 use crate::Vec3;
 
 /// The mesh so far, and corners that wait for later vertices.
@@ -16,7 +16,7 @@ impl ObjReader {
     /// Returns the vertex of a corner such as `7`, `-1` or `7/2/3`, from zero.
     fn corner(&mut self, word: &[u8], line: usize) -> Result<u32, FileFlaw> {
         let first = word.split(|&byte| byte == b'/').next().unwrap_or(word);
-        let index: i64 = whole(first, "an index of a vertex")?;
+        let index: i64 = number(first, "an index of a vertex")?;
         let count = self.mesh.vertices.len() as i64;
         let vertex = match index {
             ..0 => count + index,

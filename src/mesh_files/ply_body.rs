@@ -1,7 +1,7 @@
 //! The items of a file of PLY.
 use super::MeshFile;
 use super::file_fault::{FileFault, FileFlaw, FileKind, FilePlace};
-use super::file_text::{TextLines, TextWords, coordinate, number, whole};
+use super::file_text::{TextLines, TextWords, coordinate, number};
 use super::ply_header::{
     PlyElement, PlyElementKind, PlyEncoding, PlyHeader, PlyMeaning, PlyNumber, PlyProperty,
     read_header,
@@ -34,7 +34,7 @@ impl PlyNumbers for TextWords<'_> {
     fn whole(&mut self, _number: PlyNumber) -> Result<i64, FileFault> {
         let expected = "a whole number";
         let word = self.word(expected)?;
-        whole(word, expected).map_err(|flaw| TextWords::fault(self, flaw))
+        number(word, expected).map_err(|flaw| TextWords::fault(self, flaw))
     }
     fn fault(&self, flaw: FileFlaw) -> FileFault {
         TextWords::fault(self, flaw)

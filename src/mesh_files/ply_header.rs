@@ -1,6 +1,6 @@
 //! The header of a file of PLY: its encoding, its elements and their properties.
 use super::file_fault::{FileFault, FileFlaw, FileKind, FilePlace};
-use super::file_text::{TextLines, unexpected, whole, words_of};
+use super::file_text::{TextLines, number, unexpected, words_of};
 
 /// How numbers are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -164,7 +164,7 @@ fn element<'a>(mut words: impl Iterator<Item = &'a [u8]>) -> Result<PlyElement, 
         _ => PlyElementKind::Other,
     };
     let expected = "a number of items";
-    let count = whole(next(&mut words, expected)?, expected)?;
+    let count = number(next(&mut words, expected)?, expected)?;
     let properties = Vec::new();
     Ok(PlyElement {
         kind,

@@ -187,20 +187,20 @@ where
     /// Returns the time of the least distance near a sample, between a time at which the distance falls and one at which
     /// it rises.
     ///
-    /// Where the distance is smooth, its rate is zero there: the secant of both rates leads to it. Where one distance
-    /// takes the place of another, tangents of both sides meet there.
+    /// The secant of both rates leads to the zero of the rate of a smooth distance. Tangents of both sides meet at the time
+    /// at which one distance takes the place of another.
     fn refined(&mut self, least: &Least<P>) -> P {
         let (time, width) = (least.sample.time, least.width);
         let still = self.bounds.speed * P::rounding(STILL, 1);
         let rounding = self.bounds.rounding();
-        let mut best = least.sample;
+        let (mut best, mut lowest) = (least.sample, least.sample.apart);
         let mut low = self.sample((time - width).most(P::zero()));
         let mut high = self.sample((time + width).least(P::one()));
         let mut next = best;
         for trial in 0..TRIALS {
             // Distances that differ by their rounding are told from each other by rates.
-            if next.apart.at_most(best.apart + rounding) {
-                best = next;
+            if next.apart.at_most(lowest + rounding) {
+                (best, lowest) = (next, lowest.least(next.apart));
                 if best.rate.unsigned().at_most(still) {
                     break;
                 }

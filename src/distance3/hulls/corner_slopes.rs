@@ -64,21 +64,6 @@ where
     }
 }
 
-/// Returns derivatives by the vertices of a hull as a hull.
-pub(crate) fn by_vertices<S: Scalar, const N: usize>(
-    hull: &Hull3<S, N>,
-    by: &ByCorner<S>,
-) -> Hull3<S, N> {
-    let mut slopes = Hull3 {
-        vertices: [Vec3::zero(); N],
-        count: hull.count,
-    };
-    for &(corner, slope) in by {
-        slopes.vertices[corner] += slope;
-    }
-    slopes
-}
-
 /// A shape whose derivatives follow from those of its corners.
 pub(crate) trait ByCorners: Cornered {
     /// Returns the derivatives of a signed distance by the shape, times a factor, given those by its corners, times this
@@ -125,6 +110,15 @@ impl<S: Scalar> ByCorners for Vec3<S> {
     fn by_corners(&self, by: &ByCorner<S>, _normal: Vec3<S>, _factor: S) -> Self {
         let [point] = by_given(by);
         point
+    }
+}
+
+impl<S: Scalar, const N: usize> ByCorners for Hull3<S, N> {
+    fn by_corners(&self, by: &ByCorner<S>, _normal: Vec3<S>, _factor: S) -> Self {
+        Hull3 {
+            vertices: by_given(by),
+            count: self.count,
+        }
     }
 }
 
