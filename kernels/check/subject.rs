@@ -8,8 +8,8 @@ use crate::ad::declared::{Invariance, Kind};
 use crate::ad::forward::{Along, First};
 use crate::ad::sample::Sample;
 use crate::ad::sample::drawn::Near;
-use crate::kernels::check::WithAdjoint;
 use crate::kernels::check::jets::{self, moving, nearest, noisy_list, widened};
+use crate::kernels::check::with_adjoint::{DecidesIn, WithAdjoint};
 use crate::kernels::check::witness::Batch;
 use crate::{Fixed, Jet, Pack, Real, Scalar};
 use std::fmt;
@@ -70,22 +70,26 @@ trait SourceFunctions<S: Real> {
 }
 
 /// A source near an input, which fixes the number of scalars.
-struct SourceAt<'a, O: WithAdjoint>(&'a O::In<f64>)
+struct SourceAt<'a, O: WithAdjoint>
 where
-    O::In<f64>: Sample;
+    O::In<f64>: Sample,
+{
+    near: &'a O::In<f64>,
+    decides: DecidesIn,
+}
 
 impl<O: WithAdjoint> SourceAt<'_, O>
 where
     O::In<f64>: Sample,
 {
     fn made<T: Scalar>(&self, x: &[T]) -> O::In<T> {
-        O::made(self.0, x)
+        O::made(self.near, x)
     }
     fn eval<T: Scalar<Mask = bool>>(&self, x: &[T]) -> Vec<T> {
-        O::eval::<T>(&self.made(x)).scalars()
+        O::eval_as::<T>(self.decides, &self.made(x)).scalars()
     }
     fn pulled<T: Scalar<Mask = bool>>(&self, x: &[T], y_bar: &[T]) -> Vec<T> {
-        O::pulled::<T>(&self.made(x), O::Out::<T>::load(y_bar))
+        O::pulled_as::<T>(self.decides, &self.made(x), O::Out::<T>::load(y_bar))
     }
 }
 
@@ -129,7 +133,11 @@ where
         self.pulled(x, y_bar)
     }
     fn wide(&self) -> OpSubject<'_, f64> {
-        OpSubject::of::<O>(self.0, &[], None)
+        let decides = match O::DECLARED.by_roundings {
+            true => DecidesIn::Single,
+            false => DecidesIn::Own,
+        };
+        OpSubject::deciding::<O>(self.near, &[], None, decides)
     }
 }
 
@@ -145,9 +153,22 @@ impl<'a, S: Real> OpSubject<'a, S> {
         O::In<f64>: Sample,
         O::Out<f64>: Sample,
     {
+        Self::deciding::<O>(near, paths, fused, DecidesIn::Own)
+    }
+    /// Creates a subject whose search decides in a format.
+    fn deciding<O: WithAdjoint>(
+        near: &'a O::In<f64>,
+        paths: &'a [Path<S>],
+        fused: Option<Fused<S>>,
+        decides: DecidesIn,
+    ) -> Self
+    where
+        O::In<f64>: Sample,
+        O::Out<f64>: Sample,
+    {
         OpSubject {
             near,
-            code: Box::new(SourceAt::<O>(near)),
+            code: Box::new(SourceAt::<O> { near, decides }),
             paths,
             fused,
             batch: None,

@@ -9,6 +9,17 @@ use crate::kernels::row::op::{Declared, Derivative, Op};
 use crate::{Fixed, Pack, Real, Scalar};
 use std::sync::Arc;
 
+/// The format in which a search decides.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DecidesIn {
+    /// That of its numbers.
+    Own,
+    /// Single precision, whatever its numbers: the source in double precision of a search whose decisions depend on
+    /// roundings.
+    Single,
+}
+
 /// A function, generic over the scalar, with its adjoint: the harness's form of an operation, a search or a fold.
 #[doc(hidden)]
 pub trait WithAdjoint: 'static {
@@ -24,6 +35,18 @@ pub trait WithAdjoint: 'static {
     fn eval<S: Scalar<Mask = bool>>(input: &Self::In<S>) -> Self::Out<S>;
     /// Returns the numbers of the gradient of `out_bar · output` with respect to the input.
     fn pulled<S: Scalar<Mask = bool>>(input: &Self::In<S>, out_bar: Self::Out<S>) -> Vec<S>;
+    /// Returns the result by decisions in a format, which only a search has.
+    fn eval_as<S: Scalar<Mask = bool>>(_: DecidesIn, input: &Self::In<S>) -> Self::Out<S> {
+        Self::eval(input)
+    }
+    /// Returns the numbers of the gradient by decisions in a format, which only a search has.
+    fn pulled_as<S: Scalar<Mask = bool>>(
+        _: DecidesIn,
+        input: &Self::In<S>,
+        out_bar: Self::Out<S>,
+    ) -> Vec<S> {
+        Self::pulled(input, out_bar)
+    }
     /// Returns the gradient of `out_bar · output` in the shape of the input.
     fn vjp<S: Scalar<Mask = bool>>(input: &Self::In<S>, out_bar: Self::Out<S>) -> Self::In<S> {
         input.refill(&Self::pulled(input, out_bar))
@@ -75,29 +98,44 @@ impl<O: Op> WithAdjoint for Straight<O> {
     }
 }
 
-/// Returns the decisions and the hints. Derivatives do not enter them, so a search is compiled for plain numbers alone.
+/// Returns the decisions and the hints, as constants of the input's scalar. Derivatives do not enter them, so a search
+/// is compiled for plain numbers alone.
 fn decided<D: HintedSearch, S: Scalar<Mask = bool>>(
+    decides: DecidesIn,
     input: D::In<S>,
-) -> (D::Record, Vec<S::Primal>) {
-    let mut numbers = Vec::new();
+) -> (D::Record, D::Hints<S>) {
+    let (mut numbers, mut singles) = (Vec::new(), Vec::new());
     for x in input.scalars() {
         numbers.push(x.primal());
+        singles.extend(x.primal().widened().map(f32::nearest));
     }
-    let plain = D::In::<S::Primal>::load(&numbers).load_codes(&input.codes());
-    let (record, hints) = D::decide_with_hints(plain);
-    (record, hints.scalars())
+    let mut hints = Vec::new();
+    let record = match decides {
+        DecidesIn::Single if singles.len() == numbers.len() => {
+            let (record, found) = decided_from::<D, f32>(&input.codes(), &singles);
+            found
+                .into_iter()
+                .for_each(|hint| hints.push(S::lit(hint.widen())));
+            record
+        }
+        _ => {
+            let (record, found) = decided_from::<D, S::Primal>(&input.codes(), &numbers);
+            found
+                .into_iter()
+                .for_each(|hint| hints.push(S::from_primal(hint)));
+            record
+        }
+    };
+    (record, D::Hints::load(&hints))
 }
 
-/// Returns hints as constants of a scalar.
-fn constants<D: HintedSearch, P: Copy, S: Scalar>(
-    hints: &[P],
-    constant: impl Fn(P) -> S,
-) -> D::Hints<S> {
-    let mut all = Vec::new();
-    for &hint in hints {
-        all.push(constant(hint));
-    }
-    D::Hints::load(&all)
+/// Returns the decisions and the hints, given the numbers of an input and its codes.
+fn decided_from<D: HintedSearch, P: Scalar<Mask = bool>>(
+    codes: &[u32],
+    numbers: &[P],
+) -> (D::Record, Vec<P>) {
+    let (record, hints) = D::decide_with_hints(D::In::<P>::load(numbers).load_codes(codes));
+    (record, hints.scalars())
 }
 
 /// A search in the harness's form.
@@ -110,16 +148,26 @@ impl<D: HintedSearch> WithAdjoint for Replayed<D> {
     type In<S: Scalar> = D::In<S>;
     type Out<S: Scalar> = D::Out<S>;
     const SEARCHES: bool = true;
-    fn eval<S: Scalar<Mask = bool>>(&input: &Self::In<S>) -> Self::Out<S> {
-        let (record, hints) = decided::<D, S>(input);
-        D::replay_with_hints(input, record, constants::<D, _, S>(&hints, S::from_primal))
+    fn eval<S: Scalar<Mask = bool>>(input: &Self::In<S>) -> Self::Out<S> {
+        Self::eval_as(DecidesIn::Own, input)
     }
-    fn pulled<S: Scalar<Mask = bool>>(&input: &Self::In<S>, out_bar: Self::Out<S>) -> Vec<S> {
-        let (record, hints) = decided::<D, S>(input);
+    fn pulled<S: Scalar<Mask = bool>>(input: &Self::In<S>, out_bar: Self::Out<S>) -> Vec<S> {
+        Self::pulled_as(DecidesIn::Own, input, out_bar)
+    }
+    fn eval_as<S: Scalar<Mask = bool>>(decides: DecidesIn, &input: &Self::In<S>) -> Self::Out<S> {
+        let (record, hints) = decided::<D, S>(decides, input);
+        D::replay_with_hints(input, record, hints)
+    }
+    fn pulled_as<S: Scalar<Mask = bool>>(
+        decides: DecidesIn,
+        &input: &Self::In<S>,
+        out_bar: Self::Out<S>,
+    ) -> Vec<S> {
+        let (record, hints) = decided::<D, S>(decides, input);
         match pull_back_of_replay::<D>(S::format(), &input.codes(), record) {
             Ok(recorded) => {
                 let mut numbers = input.scalars();
-                numbers.extend(hints.into_iter().map(S::from_primal));
+                numbers.extend(hints.scalars());
                 numbers.extend(out_bar.scalars());
                 recorded.run_on(&numbers)
             }

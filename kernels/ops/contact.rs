@@ -17,8 +17,6 @@ macro_rules! contact_rows {
         crate::kernels::ops::tables::listed! {
             names [[$($(contact_rows!(@line $listed names [] $name, $A, $B),)?)*]]
             each |walk| {
-                // The list has none of them yet.
-                let _ = &walk;
                 $($(contact_rows!(@line $listed each [walk] $name, $A, $B);)?)*
             }
         }
@@ -52,7 +50,8 @@ macro_rules! contact_rows {
                 &[],
                 crate::kernels::row::op::Jumps::Anywhere,
             )
-            .arguments(&const {
+            .by_roundings(true)
+                .arguments(&const {
                 let [a, b] = crate::kernels::ops::noun::named(
                     <First as crate::kernels::ops::noun::Named>::NOUN.name,
                     <Second as crate::kernels::ops::noun::Named>::NOUN.name,
@@ -110,19 +109,19 @@ macro_rules! contact_rows {
 contact_rows! {
     /// The [contact](crate::distance3::contacts) of {}: up to eight points whose gap is at most `within`. Hulls have up to
     /// `N` vertices. Places from the count on are zero.
-    "contacts_obb3s": Obb3, Obb3;
+    "contacts_obb3s": Obb3, Obb3 listed;
     "contacts_segment_obb3": Segment3, Obb3;
-    "contacts_capsule_obb3": Capsule3, Obb3;
+    "contacts_capsule_obb3": Capsule3, Obb3 listed;
     "contacts_triangle_obb3": Triangle3, Obb3;
     "contacts_tetrahedron_obb3": Tetrahedron, Obb3;
-    "contacts_sphere_obb3": Sphere, Obb3;
+    "contacts_sphere_obb3": Sphere, Obb3 listed;
     "contacts_round_boxes": RoundBox3, RoundBox3;
-    "contacts_plane_obb3": Plane3, Obb3;
+    "contacts_plane_obb3": Plane3, Obb3 listed;
     "contacts_plane_capsule": Plane3, Capsule3;
     "contacts_plane_cylinder": Plane3, Cylinder;
     "contacts_plane_hull": Plane3, Hull3 [N];
-    "contacts_hulls": Hull3, Hull3 [N];
-    "contacts_obb3_hull": Obb3, Hull3 [N];
+    "contacts_hulls": Hull3, Hull3 [N] listed;
+    "contacts_obb3_hull": Obb3, Hull3 [N] listed;
     "contacts_capsule_hull": Capsule3, Hull3 [N];
     "contacts_obb3_cylinder": Obb3, Cylinder;
     "contacts_obb3_cone": Obb3, Cone;

@@ -39,8 +39,6 @@ macro_rules! motion_rows {
         crate::kernels::ops::tables::listed! {
             names [$([$($(motion_rows!(@line $listed names [] $Verb, $name, $A, $B),)?)*]),*]
             each |walk| {
-                // The list has none of them yet.
-                let _ = &walk;
                 $($($(motion_rows!(@line $listed each [walk] $Verb, $name, $A, $B);)?)*)*
             }
         }
@@ -71,7 +69,8 @@ macro_rules! motion_rows {
                     &[],
                     crate::kernels::row::op::Jumps::$jumps,
                 )
-                .arguments(&["a", "motion_of_a", "b", "motion_of_b"])
+                .by_roundings(true)
+                    .arguments(&["a", "motion_of_a", "b", "motion_of_b"])
                 .doc(crate::kernels::ops::tables::text!($title, "", First, Second));
             }
 
@@ -124,14 +123,14 @@ motion_rows! {
     /// The first [touch](crate::motion::time_of_impact) of {} in motion. Hulls have up to `N` vertices. The time of a miss
     /// is the largest finite number.
     TimeOfImpact -> Impact3<S>, jumps Anywhere {
-        "time_of_impact_obb3s": Obb3, Obb3;
-        "time_of_impact_capsules": Capsule3, Capsule3;
-        "time_of_impact_sphere_obb3": Sphere, Obb3;
-        "time_of_impact_capsule_obb3": Capsule3, Obb3;
+        "time_of_impact_obb3s": Obb3, Obb3 listed;
+        "time_of_impact_capsules": Capsule3, Capsule3 listed;
+        "time_of_impact_sphere_obb3": Sphere, Obb3 listed;
+        "time_of_impact_capsule_obb3": Capsule3, Obb3 listed;
         "time_of_impact_round_boxes": RoundBox3, RoundBox3;
-        "time_of_impact_point_obb3": Vec3, Obb3;
+        "time_of_impact_point_obb3": Vec3, Obb3 listed;
         "time_of_impact_point_tetrahedron": Vec3, Tetrahedron;
-        "time_of_impact_hulls": Hull3, Hull3 [N];
+        "time_of_impact_hulls": Hull3, Hull3 [N] listed;
         "time_of_impact_sphere_hull": Sphere, Hull3 [N];
         "time_of_impact_obb3_hull": Obb3, Hull3 [N];
         "time_of_impact_obb3_cylinder": Obb3, Cylinder;
@@ -142,13 +141,13 @@ motion_rows! {
     /// The least [signed distance](crate::motion::clearance()) of {} along their motions. Hulls have up to `N` vertices.
     /// Its time is of [`Clearance3`](crate::motion::Clearance3).
     Clearance -> S, jumps Never {
-        "clearance_obb3s": Obb3, Obb3;
-        "clearance_capsules": Capsule3, Capsule3;
-        "clearance_sphere_obb3": Sphere, Obb3;
-        "clearance_capsule_obb3": Capsule3, Obb3;
+        "clearance_obb3s": Obb3, Obb3 listed;
+        "clearance_capsules": Capsule3, Capsule3 listed;
+        "clearance_sphere_obb3": Sphere, Obb3 listed;
+        "clearance_capsule_obb3": Capsule3, Obb3 listed;
         "clearance_round_boxes": RoundBox3, RoundBox3;
-        "clearance_point_obb3": Vec3, Obb3;
-        "clearance_hulls": Hull3, Hull3 [N];
+        "clearance_point_obb3": Vec3, Obb3 listed;
+        "clearance_hulls": Hull3, Hull3 [N] listed;
         "clearance_sphere_hull": Sphere, Hull3 [N];
         "clearance_obb3_hull": Obb3, Hull3 [N];
         "clearance_obb3_cylinder": Obb3, Cylinder;

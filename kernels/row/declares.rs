@@ -47,6 +47,9 @@ pub struct Declared {
     /// A bound of a value's error where terms cancel, in roundings of the format: the size of these terms in the unit
     /// of the result; `None` for none. Derivatives may err by as much divided by the unit of the argument's number.
     pub roundings: Option<fn(&[f64]) -> f64>,
+    /// `true` for a search that takes a distance of some roundings as none. Single precision then decides otherwise
+    /// than double, and the harness compares both along the decisions of single.
+    pub by_roundings: bool,
 }
 
 /// Defines one setter per property.
@@ -81,6 +84,8 @@ properties! {
     extremes: Extremes;
     /// Declares the lower bound of the result, from boxes around both arguments; the default is none.
     lower: LowerBound;
+    /// Declares that a search takes a distance of some roundings as none, so that formats decide differently.
+    by_roundings: bool;
 }
 
 impl Declared {
@@ -101,6 +106,7 @@ impl Declared {
             domain: None,
             resolution: [0.0; 2],
             roundings: None,
+            by_roundings: false,
         }
     }
     /// Declares the domain, as a condition of the argument's numbers.

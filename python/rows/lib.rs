@@ -1,7 +1,6 @@
 //! Every row of geograd's list in both formats, and rows of methods that have no verb in the library: a crate of its own,
 //! so that a change of the binding compiles none of them.
 #![forbid(unsafe_code)]
-mod bodies;
 mod encodings;
 mod motions;
 mod poses;
@@ -88,13 +87,6 @@ own! {
     "support": solids::SupportOfEllipsoid;
 }
 
-/// The rows of this crate, each with its verb.
-fn own() -> impl Iterator<Item = (&'static str, Operation)> {
-    let searches = bodies::ROWS.iter();
-    let searches = searches.flat_map(|&(verb, rows)| rows.iter().map(move |&row| (verb, row)));
-    OWN.iter().copied().chain(searches)
-}
-
 /// Every operation of the list, then those of this crate.
 #[must_use]
 // Inlined, it would compile every row in the crate that calls it.
@@ -102,7 +94,7 @@ fn own() -> impl Iterator<Item = (&'static str, Operation)> {
 pub fn operations() -> &'static [Operation] {
     static ALL: OnceLock<Vec<Operation>> = OnceLock::new();
     ALL.get_or_init(|| {
-        let own = own().map(|(_, operation)| operation);
+        let own = OWN.iter().map(|&(_, operation)| operation);
         dynamic::operations().iter().copied().chain(own).collect()
     })
 }
@@ -110,7 +102,7 @@ pub fn operations() -> &'static [Operation] {
 /// The names of all operations, in any order.
 #[must_use]
 pub fn names() -> Vec<Name> {
-    let own = own().map(|(verb, operation)| Name {
+    let own = OWN.iter().map(|&(verb, operation)| Name {
         row: operation.name,
         verb: verb.to_owned(),
         shapes: Vec::new(),

@@ -89,9 +89,13 @@ pub fn share_beside<S: Scalar>(corner: &Corner<S>, [start, end]: [&Corner<S>; 2]
     let way = [end.at[0] - start.at[0], end.at[1] - start.at[1]];
     let arm = [corner.at[0] - start.at[0], corner.at[1] - start.at[1]];
     let square = way[0] * way[0] + way[1] * way[1];
-    let none = square.at_most(S::zero());
-    let divisor = S::select(none, S::one(), square);
-    ((way[0] * arm[0] + way[1] * arm[1]).over(divisor), square)
+    (divided(way[0] * arm[0] + way[1] * arm[1], square), square)
+}
+
+/// Returns a quotient, or the dividend where the divisor is zero: a record says what is computed, whatever the input.
+fn divided<S: Scalar>(dividend: S, divisor: S) -> S {
+    let none = divisor.equals(S::zero());
+    dividend.over(S::select(none, S::one(), divisor))
 }
 
 /// Returns the gap along a direction from a corner to the plane of a face, or to the point of a segment beside it.
@@ -103,9 +107,7 @@ pub fn height<S: Scalar>(normal: Vec3<S>, corner: &Corner<S>, face: &[Corner<S>]
         }
         [first, second, third, ..] => {
             let plane = (second.point - first.point).cross(third.point - first.point);
-            plane
-                .dot(first.point - corner.point)
-                .over(plane.dot(normal))
+            divided(plane.dot(first.point - corner.point), plane.dot(normal))
         }
         _ => S::zero(),
     }
@@ -115,7 +117,7 @@ pub fn height<S: Scalar>(normal: Vec3<S>, corner: &Corner<S>, face: &[Corner<S>]
 pub fn crossing<S: Scalar>([p, q]: [&Corner<S>; 2], [r, s]: [&Corner<S>; 2]) -> [Vec3<S>; 2] {
     let share = |p: &Corner<S>, q: &Corner<S>, r: &Corner<S>, s: &Corner<S>| {
         let [at_r, at_s] = [turn(p.at, q.at, r.at), turn(p.at, q.at, s.at)];
-        at_r.over(at_r - at_s)
+        divided(at_r, at_r - at_s)
     };
     let (t, u) = (share(p, q, r, s), share(r, s, p, q));
     [

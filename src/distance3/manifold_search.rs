@@ -141,6 +141,10 @@ impl<P: Scalar<Mask = bool>> Found<'_, P> {
     fn gather(&mut self) {
         let [a, b] = &self.facing.corners;
         let [by_plane, to_plane] = self.facing.planes;
+        // The one point of a ball or a point is the nearest one, which has more digits than its way to a face.
+        if (a.len() <= 1 && !by_plane) || (b.len() <= 1 && !to_plane) {
+            return;
+        }
         for (k, corner) in a.iter().enumerate() {
             if to_plane || self.is_over(corner, b) {
                 self.add(ContactOrigin::CornerOfA(k as u8));

@@ -16,6 +16,7 @@ mod far_bounds;
 mod grazing;
 mod hull_contacts;
 mod hull_draw;
+mod hull_exact;
 mod hull_faces;
 mod hull_oracle;
 mod hull_sizes;
