@@ -134,7 +134,10 @@ where
     fuzzed_in::<T>()(&Job::of_op::<O>(), count, seed)
 }
 
-/// Fuzzes an operation with a search.
+/// The share of inputs that a costly operation takes.
+const COSTLY: u64 = 256;
+
+/// Fuzzes an operation with a search; a costly one at a 256th of the inputs.
 #[must_use]
 pub fn decided<D: HintedSearch, T: Real>(count: u64, seed: u64) -> Fuzzed
 where
@@ -142,6 +145,10 @@ where
     D::Out<T>: Item<Scalar = T>,
     D::In<f64>: Sample + Item<Scalar = f64>,
 {
+    let count = match D::DECLARED.costly {
+        true => count.div_ceil(COSTLY),
+        false => count,
+    };
     fuzzed_in::<T>()(&Job::of_search::<D>(), count, seed)
 }
 

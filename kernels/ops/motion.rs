@@ -70,6 +70,7 @@ macro_rules! motion_rows {
                     crate::kernels::row::op::Jumps::$jumps,
                 )
                 .by_roundings(true)
+                .costly(true)
                     .arguments(&["a", "motion_of_a", "b", "motion_of_b"])
                 .doc(crate::kernels::ops::tables::text!($title, "", First, Second));
             }

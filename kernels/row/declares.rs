@@ -50,6 +50,8 @@ pub struct Declared {
     /// `true` for a search that takes a distance of some roundings as none. Single precision then decides otherwise
     /// than double, and the harness compares both along the decisions of single.
     pub by_roundings: bool,
+    /// `true` for a function that takes a thousand times as long as most: the fuzzer and tests give it fewer inputs.
+    pub costly: bool,
 }
 
 /// Defines one setter per property.
@@ -86,6 +88,8 @@ properties! {
     lower: LowerBound;
     /// Declares that a search takes a distance of some roundings as none, so that formats decide differently.
     by_roundings: bool;
+    /// Declares that a function takes a thousand times as long as most, so that the fuzzer gives it fewer inputs.
+    costly: bool;
 }
 
 impl Declared {
@@ -107,6 +111,7 @@ impl Declared {
             resolution: [0.0; 2],
             roundings: None,
             by_roundings: false,
+            costly: false,
         }
     }
     /// Declares the domain, as a condition of the argument's numbers.

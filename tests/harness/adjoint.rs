@@ -15,9 +15,6 @@ const LONG: usize = 5000;
 /// A search of so many numbers takes fewer inputs: every derivative is a replay.
 const MANY: usize = 24;
 
-/// A search of moving bodies takes hundreds of distances, and more where the distance stays constant.
-const SLOW: [&str; 2] = ["clearance_", "time_of_impact_"];
-
 /// Optimised builds take all hard cases of hot rows and every fifth of others; unoptimised ones some, and fewer random
 /// inputs.
 fn plan(row: &Tested) -> Sampling<'static> {
@@ -26,7 +23,7 @@ fn plan(row: &Tested) -> Sampling<'static> {
     let layouts = row.operation.layouts::<f64>();
     let numbers: usize = layouts.iter().map(|layout| layout.fields()).sum();
     let is_wide = row.operation.sort == Sort::Search && numbers > MANY;
-    let is_slow = SLOW.iter().any(|verb| row.name().starts_with(verb));
+    let is_slow = row.operation.costly;
     let (hard, samples) = match (cfg!(debug_assertions), HOT.contains(&row.name()), is_long) {
         (true, ..) if is_slow => (6 * 149, 2),
         (true, true, _) => (13, 40),
