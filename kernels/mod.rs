@@ -2,7 +2,7 @@
 //!
 //! | batch | arguments | results |
 //! | --- | --- | --- |
-//! | [`Cpu::aligned`] | item i of every column; [`One`] repeats one shape | one result per item |
+//! | [`Cpu::aligned`] | item i of every column; [`One`] repeats one shape, [`Indexed`] takes items by indices | one result per item |
 //! | [`Cpu::all_pairs`] | every shape of a with every shape of b | a [`Table`] |
 //! | [`Cpu::row_max`], [`Cpu::column_max`] | two lists | the best match of every row or column |
 //! | [`Cpu::above`], [`Cpu::count_above`] | two lists | the pairs above a threshold |
@@ -89,7 +89,8 @@ pub use fuzz::identities;
 #[doc(hidden)]
 pub use fuzz::tested;
 pub use machine::{
-    Column, Columns, Groups, Machine, One, Robust, Skip, Squares, Table, Targets, resident,
+    Column, Columns, Groups, IndexOf, Indexed, Machine, One, Robust, Skip, Squares, Table, Targets,
+    resident,
 };
 pub use row::fold::{self, Fold};
 pub use row::item::{self, Item, Single, Target};

@@ -315,7 +315,7 @@ fn check_border<T: Real>(
 }
 
 /// Checks queries, each by its own rules.
-pub(super) fn check<Q: Validate>(name: &'static str, queries: &[Q]) -> Result<(), Error> {
+pub(crate) fn check<Q: Validate>(name: &'static str, queries: &[Q]) -> Result<(), Error> {
     Simd::current()?;
     if queries.len() > u32::MAX as usize {
         return Err(Error::TooLarge);
@@ -380,7 +380,7 @@ fn check_faces<T: Real>(
 }
 
 /// Returns the results of all items, computed on all threads.
-pub(super) fn each<R: Clone + Send>(
+pub(crate) fn each<R: Clone + Send>(
     count: usize,
     none: R,
     of: impl Fn(usize) -> R + Send + Sync,

@@ -2,10 +2,9 @@
 //!
 //! A closest point of the query before is a hint. It changes no record: see [`mesh`](crate::mesh).
 use crate::kernels::cpu::arch::Eights;
-use crate::mesh::{
-    FaceRecord, MeshSurface, SearchRoom, closest_replay, first, nearest, plain, plain_ray,
-};
-use crate::{Ray3, Real, Triangle3, Vec3};
+use crate::mesh::{self, FaceRecord, MeshSurface, MeshTree, SearchRoom, SolidBounds, Wanted};
+use crate::mesh::{closest_replay, first, nearest, plain, plain_ray};
+use crate::{Pose3, Ray3, Real, Triangle3, Vec3};
 
 /// Appends the nearest faces of some points. They must be finite.
 #[inline(always)]
@@ -42,4 +41,27 @@ pub(super) fn first_faces<T: Real, V: Eights>(
         let ray = plain_ray(rays[i as usize]);
         found.push(first::<V::Eight, T>(mesh, tree, ray, &mut room));
     }
+}
+
+/// Visits the faces that may be near a solid.
+#[inline(always)]
+pub(super) fn visit_faces<T: Real, V: Eights>(
+    tree: &MeshTree,
+    bounds: &SolidBounds,
+    start: f64,
+    room: &mut SearchRoom,
+    visit: &mut dyn FnMut(u32) -> Wanted,
+) {
+    mesh::visit_faces::<V::Eight>(tree, bounds, start, room, visit);
+}
+
+/// Visits the faces of two meshes that may be near each other.
+#[inline(always)]
+pub(super) fn visit_pairs<T: Real, V: Eights>(
+    trees: [&MeshTree; 2],
+    pose: &Pose3<f64>,
+    start: f64,
+    visit: &mut dyn FnMut(u32, u32) -> Wanted,
+) {
+    mesh::visit_pairs::<V::Eight>(trees, pose, start, visit);
 }

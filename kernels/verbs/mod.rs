@@ -30,6 +30,7 @@
 #![doc = include_str!("shapes.md")]
 mod function;
 mod list;
+pub mod mesh_solids;
 pub mod methods;
 
 pub use function::{Arguments, AtLeast, OwnFunction, at_least, function};

@@ -184,6 +184,11 @@ impl MeshTree {
     pub(crate) fn frame(&self) -> &TreeFrame {
         &self.frame
     }
+    /// Returns the number of faces.
+    #[inline]
+    pub(super) fn face_count(&self) -> usize {
+        self.counts[1]
+    }
     /// Returns the nodes, the root first.
     #[inline]
     pub(crate) fn nodes(&self) -> &[TreeNode] {

@@ -11,6 +11,8 @@
 //! | [`MeshSurface::signed_distance`] | the distance, negative inside a [closed](ClosedMesh) mesh |
 //! | [`MeshSurface::hit_face`], [`first_hit`](MeshSurface::first_hit), [`all_hits`](MeshSurface::all_hits) | where rays meet the mesh |
 //! | [`MeshSurface::encloses`] | whether a point is inside, by the parity of exact crossings |
+//! | [`MeshSurface::distance_to`], [`closest_points_to`](MeshSurface::closest_points_to), [`is_touching`](MeshSurface::is_touching), [`faces_within`](MeshSurface::faces_within) | distances of a [solid](MeshSolid): a ball, a capsule, a box, a hull |
+//! | [`MeshSurface::distance_between`], [`closest_points_between`](MeshSurface::closest_points_between), [`is_meeting`](MeshSurface::is_meeting), [`pairs_within`](MeshSurface::pairs_within) | distances of another mesh, which a pose places |
 //! | [`WoundSurface::winding_number`] | how often a mesh goes around a point; open and crossing ones, too |
 //! | [`WoundSurface::signed_distance`] | the distance, negative where the winding number is above ½ |
 //! | [`Mesh::area`], [`volume`](Mesh::volume), [`centroid`](Mesh::centroid), [`dirichlet`](Mesh::dirichlet) | measures |
@@ -44,7 +46,8 @@
 //! vertices of the face.
 //!
 //! Batches of queries run on vectors and threads, with adjoints by hand for queries and vertices:
-//! [`mesh_batches`](crate::kernels::cpu::mesh_batches).
+//! [`mesh_batches`](crate::kernels::cpu::mesh_batches). Those of solids and of poses of a mesh have the adjoints of
+//! distances: [`mesh_solids`](crate::kernels::mesh_solids).
 //!
 //! # Decisions
 //!
@@ -68,14 +71,19 @@ mod enclosed_point;
 mod face_measure;
 mod face_replay;
 mod face_search;
+mod lane_gap;
 mod mesh_border;
 mod mesh_column;
 mod mesh_fault;
 mod mesh_measures;
+mod mesh_solid;
 mod mesh_surface;
 mod mesh_tree;
 mod packet;
+mod pair_search;
 mod ray_search;
+mod solid_search;
+mod solid_surface;
 mod tree_split;
 mod wound_surface;
 
@@ -83,7 +91,10 @@ pub(crate) use face_measure::normal;
 pub(crate) use face_search::{FAR, SearchRoom, bound_squares, margin, nearest};
 pub(crate) use mesh_column::plain;
 pub(crate) use packet::{EightLanes, PACKET, part_of};
+pub(crate) use pair_search::visit_pairs;
 pub(crate) use ray_search::{first, plain_ray};
+pub(crate) use solid_search::{Wanted, visit_faces};
+pub(crate) use solid_surface::{faces_within, nearest_pair, nearest_to, pairs_within};
 pub(crate) use wound_surface::edge_slopes;
 
 pub use closed_mesh::ClosedMesh;
@@ -95,6 +106,8 @@ pub use mesh_fault::MeshFault;
 pub use mesh_measures::{
     MeshEnergy, bending_of_hinge, cone_volume, dirichlet_of_face, hinge_angle,
 };
+pub use mesh_solid::{MeshSolid, SolidBounds};
 pub use mesh_surface::{MeshHit, MeshSurface};
 pub use mesh_tree::MeshTree;
+pub use solid_surface::{FacePair, pair_closest_points, pair_distance};
 pub use wound_surface::{WoundSurface, solid_angle};

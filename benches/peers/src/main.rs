@@ -20,6 +20,7 @@ mod planner;
 mod polygons;
 mod programs;
 mod shapes;
+mod solids_beside;
 mod space;
 mod suppress;
 mod timed;

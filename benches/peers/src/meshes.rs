@@ -1,6 +1,6 @@
 //! Queries of meshes next to parry3d: building, closest points, rays, gradients.
 use super::timed::Timed;
-use super::{Dice, on_threads};
+use super::{Dice, on_threads, solids_beside};
 use geograd::kernels::Cpu;
 use geograd::kernels::cpu::mesh_batches::MeshDistance;
 use geograd::mesh::{Mesh, MeshTree};
@@ -170,5 +170,9 @@ pub fn run() {
             table(name, &faces, None);
             table(name, &faces, Some(0.01));
         }
+        solids_beside::head();
+        solids_beside::table("ring, 2,000 faces", &tube(ring, 0.14, [50, 20]));
+        solids_beside::table("ring, 20,000 faces", &tube(ring, 0.14, [200, 50]));
+        solids_beside::table("knot, 200,000 faces", &tube(knot, 0.055, [2000, 50]));
     });
 }

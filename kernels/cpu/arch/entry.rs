@@ -15,9 +15,9 @@ use crate::kernels::cpu::quads;
 use crate::kernels::cpu::rings::{self, Measure};
 use crate::kernels::cpu::upright_boxes;
 use crate::kernels::cpu::winding;
-use crate::mesh::{FaceRecord, MeshSurface};
+use crate::mesh::{FaceRecord, MeshSurface, MeshTree, SearchRoom, SolidBounds, Wanted};
 use crate::overlap::Denominator;
-use crate::{Ray3, Vec2, Vec3};
+use crate::{Pose3, Ray3, Vec2, Vec3};
 
 /// Lists kernels: a name, arguments, and the generic function, of a format `T` and a vector `V`.
 ///
@@ -178,6 +178,10 @@ entries! {
     nearest_faces(surface: &MeshSurface<'_, T>, points: &[Vec3<T>], order: &[u32], found: &mut Vec<FaceRecord>) = mesh_searches::nearest_faces::<T, V>;
     /// The first faces that some rays meet, in the order of `order`.
     first_faces(surface: &MeshSurface<'_, T>, rays: &[Ray3<T>], order: &[u32], found: &mut Vec<Option<u32>>) = mesh_searches::first_faces::<T, V>;
+    /// The faces that may be near a solid, one after another.
+    visit_faces(tree: &MeshTree, bounds: &SolidBounds, start: f64, room: &mut SearchRoom, visit: &mut dyn FnMut(u32) -> Wanted) = mesh_searches::visit_faces::<T, V>;
+    /// The faces of two meshes that may be near each other, pair after pair.
+    visit_pairs(trees: [&MeshTree; 2], pose: &Pose3<f64>, start: f64, visit: &mut dyn FnMut(u32, u32) -> Wanted) = mesh_searches::visit_pairs::<T, V>;
     /// Measures of rings; `false` if a vertex is not finite, and the measures are then arbitrary.
     ring_values(measure: Measure, vertices: &[Vec2<T>], offsets: &[usize], out: &mut [T]) -> bool = rings::values::<T, V>;
     /// Adjoints of measures of rings.
