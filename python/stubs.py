@@ -283,6 +283,22 @@ class Mesh:
 
         A ray through an edge or a vertex meets every face there that is not edge-on.
         """
+    def distance_to(self, solids: Shape) -> Array:
+        """The distance of each solid from the faces, 0 where one meets it."""
+    def closest_to(self, solids: Shape) -> tuple[Array, Array, Array]:
+        """The nearest points of the mesh and of each solid, and the index of the face; where they meet, of the lowest face."""
+    def touches(self, solids: Shape) -> Array:
+        """Whether a face meets each solid: whether its distance is 0, found without the others."""
+    def faces_within(self, solids: Shape, most: float) -> tuple[Array, Array]:
+        """The faces whose distance from each solid is at most ``most``: indices of solids and of faces, solid by solid."""
+    def distance_between(self, other: Mesh, poses: Any) -> Array:
+        """The distance of the faces of another mesh from those of this one at each pose, 0 where they meet."""
+    def closest_between(self, other: Mesh, poses: Any) -> tuple[Array, Array, Array]:
+        """The nearest points of this mesh and of another one at each pose, in the frame of this one, and both faces, of shape (..., 2)."""
+    def meets(self, other: Mesh, poses: Any) -> Array:
+        """Whether faces of another mesh meet those of this one at each pose, found without the distance."""
+    def pairs_within(self, other: Mesh, poses: Any, most: float) -> tuple[Array, Array]:
+        """The faces of both meshes whose distance is at most ``most``: indices of poses, and pairs of shape (K, 2), pose by pose."""
 
 class Cloud:
     """Points of space with a tree that is built once and serves all calls."""

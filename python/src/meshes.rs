@@ -23,19 +23,19 @@ type Object<'py> = Bound<'py, PyAny>;
 /// A mesh of triangles, with the tree that queries use.
 #[pyclass(frozen, module = "geograd._core")]
 pub struct MeshCore {
-    vertices: Vec<Vec3<f64>>,
-    faces: Arc<Vec<[u32; 3]>>,
-    tree: MeshTree,
+    pub(crate) vertices: Vec<Vec3<f64>>,
+    pub(crate) faces: Arc<Vec<[u32; 3]>>,
+    pub(crate) tree: MeshTree,
     closed: OnceLock<Arc<ClosedMesh>>,
     border: OnceLock<Arc<MeshBorder>>,
 }
 
-fn refused(fault: MeshFault) -> PyErr {
+pub(crate) fn refused(fault: MeshFault) -> PyErr {
     PyValueError::new_err(fault.to_string())
 }
 
 impl MeshCore {
-    fn surface<R: Send>(
+    pub(crate) fn surface<R: Send>(
         &self,
         py: Python<'_>,
         count: usize,

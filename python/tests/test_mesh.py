@@ -302,3 +302,165 @@ def test_energies_have_first_and_second_derivatives():
     with pytest.raises(TypeError, match="constants: they have no derivatives"):
         geograd.torch.Mesh(vertices, faces).energy("springs", torch.ones(12, dtype=torch.float64, requires_grad=True))
     assert geograd.torch.Mesh(vertices.detach().float(), faces).area().dtype == torch.float32
+
+
+def turned(random, count):
+    quaternions = random.normal(size=(count, 4))
+    return quaternions / np.linalg.norm(quaternions, axis=1, keepdims=True)
+
+
+def solids(random, count):
+    """Solids of every kind around the mesh, as rows."""
+    at, size = random.uniform(-2, 2, (count, 3)), random.uniform(0.05, 0.4, (count, 3))
+    corners = at[:, None] + random.uniform(-0.3, 0.3, (count, 8, 3))
+    quaternions = turned(random, count)
+    box = np.hstack([at, size, quaternions])
+    return {
+        "Sphere": np.hstack([at, size[:, :1]]),
+        "Capsule3": np.hstack([corners[:, :2].reshape(count, 6), size[:, :1]]),
+        "Segment3": corners[:, :2].reshape(count, 6),
+        "Triangle3": corners[:, :3].reshape(count, 9),
+        "Tetrahedron": corners[:, :4].reshape(count, 12),
+        "Aabb3": np.hstack([at - size, at + size]),
+        "Obb3": box,
+        "RoundBox3": np.hstack([box, size[:, :1]]),
+        "Hull3_8": np.hstack([corners.reshape(count, 24), np.full((count, 1), 8.0)]),
+    }
+
+
+@pytest.mark.parametrize("kind", sorted(solids(np.random.default_rng(0), 1)))
+def test_distances_of_solids_are_the_least_of_all_faces(kind):
+    rows = solids(np.random.default_rng(11), 12)[kind]
+    own = getattr(geograd, kind)(rows)
+    vertices, faces = bumpy(1)
+    mesh = geograd.Mesh(vertices, faces)
+    triangles = vertices[faces].reshape(-1, 9)
+    one_face = [geograd.Mesh(triangle.reshape(3, 3), [[0, 1, 2]]) for triangle in triangles]
+    every = np.stack([face.distance_to(own) for face in one_face], 1)
+    found = mesh.distance_to(own)
+    assert found.shape == (12,) and (found == every.min(1)).all() and (found > 0).any()
+    on_mesh, on_solid, nearest = mesh.closest_to(own)
+    assert (nearest == every.argmin(1)).all()
+    apart = found > 0
+    np.testing.assert_allclose(np.linalg.norm(on_mesh - on_solid, axis=1)[apart], found[apart], rtol=1e-9)
+    np.testing.assert_allclose(mesh.distance(on_mesh[apart]), 0, atol=1e-14)
+    assert (mesh.touches(own) == ~apart).all()
+    items, within = mesh.faces_within(own, 0.7)
+    expected = np.argwhere(every <= 0.7)
+    assert (items == expected[:, 0]).all() and (within == expected[:, 1]).all() and len(items) > 5
+    # Of another leading shape.
+    assert (mesh.distance_to(getattr(geograd, kind)(rows.reshape(3, 4, -1))) == found.reshape(3, 4)).all()
+
+
+def test_distances_of_meshes_are_the_least_of_all_pairs():
+    first, second = bumpy(1), bumpy(0, seed=3)
+    own, other = geograd.Mesh(*first), geograd.Mesh(second[0] * 0.5, second[1])
+    random = np.random.default_rng(12)
+    shifts = random.normal(size=(20, 3))
+    shifts *= (np.arange(20) % 5 / 2 / np.linalg.norm(shifts, axis=1))[:, None]
+    rows = np.hstack([turned(random, 20), shifts])
+    poses = geograd.Pose3(rows)
+    found = own.distance_between(other, poses)
+    every = []
+    for row in rows:
+        x, y, z, w = np.asarray(row)[[list(geograd.Pose3._fields).index(f"rotation.{k}") for k in "xyzw"]]
+        shift = np.asarray(row)[[list(geograd.Pose3._fields).index(f"translation.{k}") for k in "xyz"]]
+        axis = np.array([x, y, z])
+        vertices = other.vertices
+        placed = vertices + 2 * np.cross(axis, np.cross(axis, vertices) + w * vertices) + shift
+        triangles = geograd.Triangle3(placed[other.faces].reshape(-1, 9))
+        every.append(own.distance_to(triangles).min())
+    np.testing.assert_allclose(found, every, rtol=1e-11, atol=1e-12)
+    assert (own.meets(other, poses) == (found == 0)).all() and 3 < (found == 0).sum() < 17
+    on_own, on_other, faces = own.closest_between(other, rows)
+    apart = found > 0
+    np.testing.assert_allclose(np.linalg.norm(on_own - on_other, axis=1)[apart], found[apart], rtol=1e-9)
+    of, pairs = own.pairs_within(other, poses, 0.3)
+    assert set(of) == set(np.flatnonzero(found <= 0.3)) and pairs.shape == (len(of), 2) and faces.shape == (20, 2)
+    for pose in set(of):
+        assert (found[pose] == 0 and pairs[of == pose][0].tolist() <= faces[pose].tolist()) or faces[pose].tolist() in pairs[of == pose].tolist()
+    assert own.distance_between(other, rows[0]).shape == ()
+
+
+def test_distances_of_meshes_are_those_of_coal():
+    coal = pytest.importorskip("coal")
+
+    def model(mesh):
+        made = coal.BVHModelOBBRSS()
+        made.beginModel(len(mesh.faces), len(mesh.vertices))
+        points, faces = coal.StdVec_Vec3s(), coal.StdVec_Triangle()
+        for vertex in mesh.vertices:
+            points.append(vertex)
+        for face in mesh.faces:
+            faces.append(coal.Triangle(*map(int, face)))
+        made.addSubModel(points, faces)
+        made.endModel()
+        return made
+
+    other = geograd.Mesh(VERTICES * 0.5, FACES)
+    ours, theirs = model(MESH), model(other)
+    random = np.random.default_rng(13)
+    for _ in range(20):
+        row = np.hstack([turned(random, 1)[0], random.uniform(-2.5, 2.5, 3)])
+        pose = dict(zip(geograd.Pose3._fields, row))
+        quaternion = coal.Quaternion(*[pose[f"rotation.{k}"] for k in "wxyz"]) if hasattr(coal, "Quaternion") else None
+        if quaternion is None:
+            pytest.skip("coal without quaternions")
+        place = coal.Transform3s(quaternion, np.array([pose[f"translation.{k}"] for k in "xyz"]))
+        result = coal.DistanceResult()
+        apart = coal.distance(ours, coal.Transform3s(), theirs, place, coal.DistanceRequest(), result)
+        np.testing.assert_allclose(MESH.distance_between(other, row), max(apart, 0), rtol=1e-7, atol=1e-7)
+
+
+@pytest.mark.parametrize("kind", sorted(solids(np.random.default_rng(0), 1)))
+def test_gradients_of_solids_are_those_of_differences(kind):
+    torch = pytest.importorskip("torch")
+    pytest.importorskip("geograd.torch")
+    vertices, faces = bumpy(1)
+    rows = solids(np.random.default_rng(14), 12)[kind]
+    rows = rows[geograd.Mesh(vertices, faces).distance_to(getattr(geograd, kind)(rows)) > 0.05]
+    assert len(rows) > 4
+    numbers = torch.tensor(rows[:, :24], requires_grad=True)
+    count = torch.tensor(rows[:, 24:])
+    vertices = torch.tensor(vertices, requires_grad=True)
+
+    def query(numbers, vertices):
+        return geograd.torch.Mesh(vertices, faces).distance_to(kind, torch.cat([numbers, count], 1))
+
+    assert torch.autograd.gradcheck(query, (numbers, vertices), eps=1e-7, atol=1e-5)
+
+
+def test_gradients_of_poses_and_both_meshes_are_those_of_differences():
+    torch = pytest.importorskip("torch")
+    pytest.importorskip("geograd.torch")
+    random = np.random.default_rng(15)
+    shifts = random.normal(size=(6, 3))
+    shifts *= 2 / np.linalg.norm(shifts, axis=1)[:, None]
+    poses = torch.tensor(np.hstack([turned(random, 6), shifts]), requires_grad=True)
+    own, other = bumpy(1), bumpy(0, seed=5)
+    vertices = torch.tensor(own[0], requires_grad=True)
+    others = torch.tensor(other[0] * 0.5, requires_grad=True)
+
+    def query(poses, vertices, others):
+        mesh = geograd.torch.Mesh(vertices, own[1])
+        return mesh.distance_between(geograd.torch.Mesh(others, other[1]), poses)
+
+    assert (query(poses, vertices, others) > 0.05).all()
+    assert torch.autograd.gradcheck(query, (poses, vertices, others), eps=1e-7, atol=1e-5)
+    single = query(poses.float(), vertices.float(), others.float())
+    assert single.dtype == torch.float32 and single.shape == (6,)
+
+
+def test_faults_of_solids_name_what_is_wrong():
+    ball = geograd.Sphere([[0.0, 0.0, 3.0, 1.0], [0.0, 0.0, 3.0, -1.0]])
+    with pytest.raises(ValueError, match="`solids` item 1: radius is negative"):
+        MESH.distance_to(ball)
+    with pytest.raises(TypeError, match="solids: one of Sphere, .* is needed, not ndarray"):
+        MESH.distance_to(np.zeros((3, 4)))
+    with pytest.raises(TypeError, match="solids: one of Sphere, .* is needed, not Circle"):
+        MESH.touches(geograd.Circle([0, 0, 1]))
+    with pytest.raises(ValueError, match="`most` item 0: value is negative"):
+        MESH.faces_within(geograd.Sphere([0, 0, 3, 1]), -1)
+    with pytest.raises(TypeError, match="other: a Mesh is needed"):
+        MESH.distance_between(VERTICES, np.zeros(7))
+    assert MESH.distance_to(geograd.Sphere(np.zeros((0, 4)))).shape == (0,)

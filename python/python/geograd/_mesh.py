@@ -3,6 +3,7 @@
 import numpy as np
 
 from . import _core
+from ._shapes import CLASSES
 
 
 def _rows(name, array, dtype=np.float64):
@@ -13,6 +14,27 @@ def _rows(name, array, dtype=np.float64):
     if dtype == np.int64 and array.dtype.kind not in "iu":
         raise TypeError(f"{name}: whole numbers are needed, not {array.dtype}")
     return np.ascontiguousarray(array, dtype).reshape(-1, 3), array.shape[:-1]
+
+
+#: The shapes that a mesh has distances from.
+SOLIDS = ("Sphere", "Capsule3", "Segment3", "Aabb3", "Obb3", "RoundBox3", "Triangle3", "Tetrahedron", "Hull3_8")
+
+
+def solid_rows(solids):
+    """The kind of solids, their numbers as rows, and the shape in front."""
+    kind = type(solids).__name__
+    if not isinstance(solids, _core.Shape) or kind not in SOLIDS:
+        raise TypeError(f"solids: one of {', '.join(SOLIDS)} is needed, not {kind}")
+    array = np.asarray(solids)
+    return kind, np.ascontiguousarray(array, np.float64).reshape(-1, array.shape[-1]), array.shape[:-1]
+
+
+def pose_rows(other, poses):
+    """The numbers of poses as rows, and the shape in front."""
+    if not isinstance(other, Mesh):
+        raise TypeError(f"other: a Mesh is needed, not {type(other).__name__}")
+    array = np.asarray(CLASSES["Pose3"](poses))
+    return np.ascontiguousarray(array, np.float64).reshape(-1, 7), array.shape[:-1]
 
 
 #: The energies that sum over elements of their own: what an element is, and how many vertices it has.
@@ -191,3 +213,62 @@ class Mesh:
         (starts, _), (directions, _) = _rows("starts", starts), _rows("directions", directions)
         rays, faces = self._core.all_hit_faces(starts, directions)
         return self._core.parameters(starts[rays], directions[rays], faces), rays, faces
+
+    def distance_to(self, solids):
+        """The distance of each solid from the faces, 0 where one meets it.
+
+        ``solids`` are a ``Sphere``, ``Capsule3``, ``Segment3``, ``Aabb3``, ``Obb3``, ``RoundBox3``, ``Triangle3``, ``Tetrahedron`` or
+        ``Hull3_8``, of any leading shape. Inside of a closed mesh the distance is that from its faces, too.
+
+        >>> mesh = geograd.Mesh([[0, 0, 0], [4, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+        >>> mesh.distance_to(geograd.Sphere([[1, 1, 3, 0.5], [1, 1, 0, 0.5]]))
+        array([2.5, 0. ])
+        """
+        kind, rows, shape = solid_rows(solids)
+        faces = _core.mesh_solid_search(self._core, kind, rows)
+        return _core.mesh_solid_distances(self._core, kind, rows, faces).reshape(shape)
+
+    def closest_to(self, solids):
+        """The nearest points of the mesh and of each solid, and the index of the face; where they meet, of the lowest face."""
+        kind, rows, shape = solid_rows(solids)
+        faces = _core.mesh_solid_search(self._core, kind, rows)
+        own, other = _core.mesh_solid_points(self._core, kind, rows, faces)
+        return own.reshape(*shape, 3), other.reshape(*shape, 3), faces.reshape(shape)
+
+    def touches(self, solids):
+        """Whether a face meets each solid: whether its distance is 0, found without the others."""
+        kind, rows, shape = solid_rows(solids)
+        return _core.mesh_solid_touches(self._core, kind, rows).reshape(shape)
+
+    def faces_within(self, solids, most):
+        """The faces whose distance from each solid is at most ``most``: indices of solids and of faces, solid by solid."""
+        kind, rows, _ = solid_rows(solids)
+        of, faces = _core.mesh_solid_faces(self._core, kind, rows, float(most))
+        return of, faces[:, 0]
+
+    def distance_between(self, other, poses):
+        """The distance of the faces of another mesh from those of this one at each pose, 0 where they meet.
+
+        ``poses`` are a ``Pose3``, or an array of shape (..., 7), from the frame of the other mesh to that of this one. A mesh inside of
+        another one that no face meets has a distance.
+        """
+        rows, shape = pose_rows(other, poses)
+        found = _core.mesh_pair_search(self._core, other._core, rows)
+        return _core.mesh_pair_distances(self._core, other._core, rows, found).reshape(shape)
+
+    def closest_between(self, other, poses):
+        """The nearest points of this mesh and of another one at each pose, in the frame of this one, and both faces, of shape (..., 2)."""
+        rows, shape = pose_rows(other, poses)
+        found = _core.mesh_pair_search(self._core, other._core, rows)
+        own, far = _core.mesh_pair_points(self._core, other._core, rows, found)
+        return own.reshape(*shape, 3), far.reshape(*shape, 3), found.reshape(*shape, 2)
+
+    def meets(self, other, poses):
+        """Whether faces of another mesh meet those of this one at each pose, found without the distance."""
+        rows, shape = pose_rows(other, poses)
+        return _core.mesh_pair_meets(self._core, other._core, rows).reshape(shape)
+
+    def pairs_within(self, other, poses, most):
+        """The faces of both meshes whose distance is at most ``most``: indices of poses, and pairs of shape (K, 2), pose by pose."""
+        rows, _ = pose_rows(other, poses)
+        return _core.mesh_pair_faces(self._core, other._core, rows, float(most))

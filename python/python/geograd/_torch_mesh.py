@@ -8,7 +8,9 @@ import numpy as np
 import torch
 
 import geograd
-from geograd._mesh import energy_columns
+from geograd import _core
+from geograd._mesh import SOLIDS, energy_columns
+from geograd._shapes import CLASSES
 
 
 def _array(name: str, tensor: Any) -> Any:
@@ -20,6 +22,16 @@ def _array(name: str, tensor: Any) -> Any:
     if tensor.dim() == 0 or tensor.shape[-1] != 3:
         raise ValueError(f"{name}: a tensor of shape (..., 3) is needed, not {tuple(tensor.shape)}")
     return np.ascontiguousarray(tensor.detach().numpy().reshape(-1, 3), np.float64)
+
+
+def _columns(name: str, tensor: Any, width: int) -> None:
+    """Refuses what is no tensor of shape (..., width) on the CPU."""
+    if not isinstance(tensor, torch.Tensor) or tensor.dtype not in (torch.float32, torch.float64):
+        raise TypeError(f"{name}: a tensor of float32 or float64 is needed")
+    if tensor.device.type != "cpu":
+        raise TypeError(f"{name}: meshes are on the CPU, and a tensor is on {tensor.device}: move it with .cpu()")
+    if tensor.dim() == 0 or tensor.shape[-1] != width:
+        raise ValueError(f"{name}: a tensor of shape (..., {width}) is needed, not {tuple(tensor.shape)}")
 
 
 def _like(array: Any, tensor: torch.Tensor) -> torch.Tensor:
@@ -75,6 +87,46 @@ class _Rays(torch.autograd.Function):
         bars = np.where(ctx.faces < 0, 0.0, bars)
         parts = ctx.core.parameters(*ctx.rows, ctx.faces, bars)
         return None, *(_like(part, own) for part, own in zip(parts, ctx.saved_tensors)), None
+
+
+class _Solids(torch.autograd.Function):
+    """The distances of solids."""
+
+    @staticmethod
+    def forward(ctx: Any, core: Any, kind: str, solids: torch.Tensor, vertices: torch.Tensor) -> torch.Tensor:
+        rows = np.ascontiguousarray(solids.detach().numpy().reshape(-1, solids.shape[-1]), np.float64)
+        faces = _core.mesh_solid_search(core, kind, rows)
+        ctx.given, ctx.faces = (core, kind, rows), faces
+        ctx.save_for_backward(solids, vertices)
+        values = _core.mesh_solid_distances(core, kind, rows, faces)
+        return torch.from_numpy(values).to(solids.dtype).reshape(solids.shape[:-1])
+
+    @staticmethod
+    @torch.autograd.function.once_differentiable
+    def backward(ctx: Any, upstream: torch.Tensor) -> Any:
+        bars = np.ascontiguousarray(upstream.detach().numpy().reshape(-1), np.float64)
+        parts = _core.mesh_solid_distances(*ctx.given, ctx.faces, bars)
+        return None, None, *(_like(part, own) for part, own in zip(parts, ctx.saved_tensors))
+
+
+class _Between(torch.autograd.Function):
+    """The distances of two meshes."""
+
+    @staticmethod
+    def forward(ctx: Any, cores: Any, poses: torch.Tensor, vertices: torch.Tensor, others: torch.Tensor) -> torch.Tensor:
+        rows = np.ascontiguousarray(poses.detach().numpy().reshape(-1, 7), np.float64)
+        found = _core.mesh_pair_search(*cores, rows)
+        ctx.given = (*cores, rows, found)
+        ctx.save_for_backward(poses, vertices, others)
+        values = _core.mesh_pair_distances(*ctx.given)
+        return torch.from_numpy(values).to(poses.dtype).reshape(poses.shape[:-1])
+
+    @staticmethod
+    @torch.autograd.function.once_differentiable
+    def backward(ctx: Any, upstream: torch.Tensor) -> Any:
+        bars = np.ascontiguousarray(upstream.detach().numpy().reshape(-1), np.float64)
+        parts = _core.mesh_pair_distances(*ctx.given, bars)
+        return None, *(_like(part, own) for part, own in zip(parts, ctx.saved_tensors))
 
 
 class _Winding(torch.autograd.Function):
@@ -240,6 +292,30 @@ class Mesh:
         rays = torch.from_numpy(rays)
         values, indices = _Rays.apply(core, starts[rays], directions[rays], self.vertices, faces)
         return values, rays, indices
+
+    def distance_to(self, kind: str, solids: torch.Tensor) -> torch.Tensor:
+        """The distance of each solid from the faces, 0 with derivative zero where one meets it.
+
+        ``kind`` is the name of a shape that :meth:`geograd.Mesh.distance_to` takes, and ``solids`` its numbers, of shape (..., F):
+        ``mesh.distance_to("Capsule3", tensor)``. Derivatives are by these numbers and by the vertices.
+        """
+        if kind not in SOLIDS:
+            raise ValueError(f"kind: one of {', '.join(SOLIDS)} is needed, not {kind!r}")
+        _columns("solids", solids, len(CLASSES[kind]._fields))
+        found: torch.Tensor = _Solids.apply(self.column._core, kind, solids, self.vertices)
+        return found
+
+    def distance_between(self, other: Mesh, poses: torch.Tensor) -> torch.Tensor:
+        """The distance of another mesh from this one at each pose, 0 with derivative zero where faces meet.
+
+        ``poses`` are the numbers of ``Pose3``, of shape (..., 7). Derivatives are by poses and by the vertices of both meshes.
+        """
+        if not isinstance(other, Mesh):
+            raise TypeError(f"other: a geograd.torch.Mesh is needed, not {type(other).__name__}")
+        _columns("poses", poses, 7)
+        cores = self.column._core, other.column._core
+        found: torch.Tensor = _Between.apply(cores, poses, self.vertices, other.vertices)
+        return found
 
     def _nearest(self, kind: str, points: torch.Tensor) -> torch.Tensor:
         found: torch.Tensor = _Nearest.apply(self.column._core, kind, points, self.vertices)
