@@ -76,7 +76,7 @@ corners! {
 /// ```
 /// use geograd::kernels::{Area, Cpu, Distance, Indexed, Op};
 /// use geograd::{Circle, Vec2, Vec3};
-/// let vertices = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)].map(|(x, y)| Vec3::new(x, y, 0.0));
+/// let vertices = [(0.0_f64, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)].map(|(x, y)| Vec3::new(x, y, 0.0));
 /// let faces = [[0, 1, 2], [0, 2, 3]];
 /// let column = Indexed::new(&vertices, &faces)?;
 /// let cpu = Cpu::new();
@@ -86,7 +86,7 @@ corners! {
 /// assert_eq!(column.gathered(&by_face)?[2], Vec3::new(1.0, 1.0, 0.0));
 ///
 /// // Listed pairs of a column.
-/// let discs = [0.0, 3.0, 9.0].map(|x| Circle::new(Vec2::new(x, 0.0), 1.0));
+/// let discs = [0.0_f64, 3.0, 9.0].map(|x| Circle::new(Vec2::new(x, 0.0), 1.0));
 /// let (left, right) = (Indexed::new(&discs, &[0, 1])?, Indexed::new(&discs, &[1, 2])?);
 /// assert_eq!(cpu.aligned(Distance, (left, right))?, [1.0, 4.0]);
 /// # Ok::<(), geograd::Error>(())
