@@ -18,5 +18,6 @@ pub mod overlap_quad;
 pub mod overlap_rings;
 pub mod polygon;
 pub mod ring;
+pub mod round_offset;
 pub mod suppression;
 pub mod upright;

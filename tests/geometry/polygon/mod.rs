@@ -20,6 +20,8 @@ mod offsets;
 mod overlap;
 mod published;
 mod rings;
+#[cfg(feature = "boolean")]
+mod round_offsets;
 pub mod scanline;
 mod shapes;
 #[cfg(feature = "boolean")]
@@ -27,3 +29,5 @@ mod simple;
 mod triangulations;
 #[cfg(feature = "boolean")]
 mod valid;
+#[cfg(feature = "boolean")]
+mod walked_unions;
