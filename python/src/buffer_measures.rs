@@ -5,7 +5,8 @@ use crate::polygons::{Format, Vertices, rows, vectors};
 use crate::raised;
 use geograd::ad::adjoint::round_offset::round_offset_vjp;
 use geograd::offset::{
-    OffsetMeasures, OffsetStyle, round_offset_replay, round_offset_search, round_path_offset_search,
+    OffsetMeasures, OffsetStyle, RoundOffsetTrace, round_offset_replay, round_offset_search,
+    round_path_offset_search,
 };
 use geograd::polygon::Rings;
 use geograd::{Error, Jet, Vec2};

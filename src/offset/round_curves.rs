@@ -8,7 +8,8 @@ use crate::{Scalar, Vec2};
 
 /// Returns the border of an offset with round corners and ends as closed contours of lines and arcs, from the input, the
 /// distance and the record of `round_offset_search` or `round_path_offset_search`; `None` where nothing is left. The offset
-/// is on the left of them. A record of chords has lines alone.
+/// is on the left of them. The last piece of a contour is a line that closes it, unless all are arcs. A record of chords has
+/// lines alone.
 ///
 /// ```
 /// # #[cfg(feature = "boolean")] {
@@ -33,7 +34,12 @@ pub fn round_offset_curves<'a, S: Scalar>(
 ) -> Option<CurvePath<S>> {
     let rings = rings.into();
     let mut made = None;
-    let mut add = |contour: &[(Vec2<S>, Option<S>)]| {
+    let mut add = |mut contour: Vec<(Vec2<S>, Option<S>)>| {
+        // The step that closes a contour is a line.
+        let line = contour.iter().position(|(_, bulge)| bulge.is_none());
+        if let Some(line) = line {
+            contour.rotate_left(line + 1);
+        }
         let Some(&(start, _)) = contour.first() else {
             return;
         };
@@ -41,14 +47,15 @@ pub fn round_offset_curves<'a, S: Scalar>(
             None => CurvePath::at(start),
             Some(path) => CurvePath::move_to(path, start),
         };
-        for (k, &(_, bulge)) in contour.iter().enumerate() {
+        let steps = contour.len() - usize::from(line.is_some());
+        for (k, &(_, bulge)) in contour[..steps].iter().enumerate() {
             let to = contour[(k + 1) % contour.len()].0;
             path = match bulge {
                 None => path.line_to(to),
                 Some(bulge) => path.arc_to(to, bulge),
             };
         }
-        made = Some(path.close());
+        made = Some(if line.is_some() { path.close() } else { path });
     };
     match &trace.way {
         RoundWay::Arcs(before, all) => {
@@ -74,13 +81,13 @@ pub fn round_offset_curves<'a, S: Scalar>(
                     };
                     contour = (0..n).map(back).collect();
                 }
-                add(&contour);
+                add(contour);
                 first = end as usize;
             }
         }
         RoundWay::Chords(trace) => {
             for ring in offset_replay(rings, d, trace).rings().iter() {
-                add(&ring.iter().map(|&at| (at, None)).collect::<Vec<_>>());
+                add(ring.iter().map(|&at| (at, None)).collect());
             }
         }
     }

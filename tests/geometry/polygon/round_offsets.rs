@@ -6,8 +6,8 @@ use geograd::ad::forward::First;
 use geograd::error::{Argument, Field, Flaw, VertexFault};
 use geograd::offset::{
     Chords, OffsetMeasures, OffsetStyle, RoundOffsetTrace, offset_replay, offset_search,
-    path_offset_search, round_offset_measures, round_offset_replay, round_offset_search,
-    round_path_offset_measures, round_path_offset_search,
+    path_offset_search, round_offset_curves, round_offset_measures, round_offset_replay,
+    round_offset_search, round_path_offset_measures, round_path_offset_search,
 };
 use geograd::polygon::{self, Fill};
 use geograd::{Error, Pack, Polygon, Scalar, Vec2};
@@ -392,6 +392,61 @@ fn duals_of_the_adjoint_are_second_derivatives() {
             }
         }
     }
+}
+
+/// The border as lines and arcs has the measures, winds around what is near, and has the slopes of the record.
+#[test]
+fn contours_of_lines_and_arcs_have_the_measures() {
+    type Dual = First<f64>;
+    let mut dice = Dice(161);
+    for (rings, d, is_path) in cases(162, 60) {
+        let trace = search(&rings, d, is_path);
+        let found = round_offset_replay(&rings, d, &trace);
+        let Some(border) = round_offset_curves(&rings, d, &trace) else {
+            assert_eq!(found, OffsetMeasures::default());
+            continue;
+        };
+        near(border.signed_area(), found.area, 1e-12);
+        near(border.length(), found.perimeter, 1e-12);
+        let pieces: usize = trace.piece_counts().iter().sum();
+        assert_eq!(border.pieces().count(), pieces);
+        let shape = (is_path, rings.rings());
+        for _ in 0..8 {
+            let point = at(dice.within(-2.0, 6.0), dice.within(-2.0, 6.0));
+            let inside = match shape {
+                // The distance from an open path is that of its walk there and back.
+                (true, rings) => {
+                    let edges = rings.iter().flat_map(|path| path.windows(2));
+                    let distance = |two: &[Vec2<f64>]| {
+                        let way = two[1] - two[0];
+                        let share = (point - two[0]).dot(way) / way.length_squared();
+                        (point - two[0] - way * share.clamp(0.0, 1.0)).length()
+                    };
+                    edges.map(distance).fold(f64::INFINITY, f64::min) - d
+                }
+                (false, rings) => rings.signed_distance(point, Fill::EvenOdd) - d,
+            };
+            if inside.abs() > 1e-6 {
+                assert_eq!(
+                    border.winding_number(point),
+                    i32::from(inside < 0.0),
+                    "{point:?}"
+                );
+            }
+        }
+        let of = |(p, d): (Polygon<Dual>, Dual)| {
+            let border = round_offset_curves(&p, d, &trace).expect("the same record");
+            border.signed_area()
+        };
+        let (_, by) = geograd::gradient(of, (rings.clone(), d));
+        let (_, expected) = slopes(&rings, d, &trace, AREA);
+        for (found, expected) in by.scalars().iter().zip(expected) {
+            near(*found, expected, 1e-9);
+        }
+    }
+    // A distance that leaves nothing.
+    let gone = search(&made(&[square(0.0, 0.0, 1.0)]), -1.0, false);
+    assert!(round_offset_curves(&made(&[square(0.0, 0.0, 1.0)]), -1.0, &gone).is_none());
 }
 
 #[test]
