@@ -9,6 +9,7 @@ pub mod distance;
 pub mod face_replay;
 pub mod iou;
 pub(crate) mod iou3;
+pub mod minkowski;
 pub mod offset;
 pub mod overlap;
 pub mod overlap3;

@@ -12,6 +12,8 @@ mod cut;
 pub mod exact;
 mod iou;
 mod leashes;
+#[cfg(feature = "boolean")]
+mod minkowski;
 mod nearest_edges;
 #[cfg(feature = "boolean")]
 mod offset_peers;
