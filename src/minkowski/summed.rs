@@ -204,9 +204,9 @@ fn laid<S: Scalar<Mask = bool>>(
         });
     }
     // Walks there and back enclose nothing.
-    for k in 0..2 {
-        let mut rings = made[k].rings().iter();
-        laid.rings[k].retain(|_| {
+    for (own, made) in laid.rings.iter_mut().zip(&made) {
+        let mut rings = made.rings().iter();
+        own.retain(|_| {
             rings
                 .next()
                 .is_some_and(|ring| Rings::from(ring).validate().is_ok())

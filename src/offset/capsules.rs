@@ -30,7 +30,7 @@ pub(super) struct Capsule {
     pub length: f64,
 }
 
-/// A half-line's worth of curve: it starts at a place, in a direction of length one.
+/// A straight curve: from a place on in a direction of length one.
 #[derive(Clone, Copy)]
 pub(super) struct Track {
     pub start: Vec2<f64>,
@@ -97,7 +97,7 @@ impl Capsule {
     }
     /// Returns the interval of a straight track inside. A disc about the place `except` is left out: the track ends where
     /// it touches that disc.
-    pub fn from_track(&self, track: &Track, r: f64, except: Option<u32>) -> Option<Taken> {
+    pub fn part_of_track(&self, track: &Track, r: f64, except: Option<u32>) -> Option<Taken> {
         let seen = track.start - self.ends[0];
         // To the right of the edge, and along it.
         let (height, rise) = (seen.perp_dot(self.way), track.way.perp_dot(self.way));
@@ -163,7 +163,7 @@ impl Capsule {
         is_met.then_some(taken)
     }
     /// Adds the intervals of an arc inside; returns `true` if that is all of it.
-    pub fn from_sector(&self, arc: &Sector, r: f64, all: &mut Vec<Taken>) -> bool {
+    pub fn parts_of_sector(&self, arc: &Sector, r: f64, all: &mut Vec<Taken>) -> bool {
         if self.square_to(arc.center) >= 4.0 * r * r {
             return false;
         }

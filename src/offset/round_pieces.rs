@@ -100,7 +100,7 @@ impl Search<'_> {
                     if let Some(is_gone) = around.decides(edge) {
                         return is_gone;
                     }
-                    edge.from_track(&track, r, None)
+                    edge.part_of_track(&track, r, None)
                 }
                 [at_start, _] => {
                     let k = usize::from(!at_start);
@@ -109,7 +109,7 @@ impl Search<'_> {
                         return false;
                     }
                     // It covers the side's own end.
-                    let mut part = edge.from_track(&track, r, Some(places[k]));
+                    let mut part = edge.part_of_track(&track, r, Some(places[k]));
                     if let Some(part) = &mut part {
                         if at_start {
                             part.low = f64::NEG_INFINITY;
@@ -147,7 +147,7 @@ impl Search<'_> {
             }
             match around.decides(edge) {
                 Some(is_gone) => is_gone,
-                None => edge.from_sector(&arc, r, taken),
+                None => edge.parts_of_sector(&arc, r, taken),
             }
         });
         if !is_gone && sweep > 0.0 {
