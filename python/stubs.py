@@ -382,6 +382,21 @@ class _Buffer:
 buffer: _Buffer
 """{buffer}"""
 
+class _BufferMeasure:
+    __name__: str
+    def __call__(self, column: Any, distance: ArrayLike, *, fill: Fill = ...) -> Array: ...
+    def is_exact(self, column: Any, distance: ArrayLike, *, fill: Fill = ...) -> Array:
+        """Says of each row whether its arcs are exact."""
+    def value_grad(self, column: Any, distance: ArrayLike, *, fill: Fill = ...) -> tuple[Array, tuple[Array, Array]]:
+        """Values, and the derivatives of each by the vertices of its row and by its distance."""
+    def vjp(self, column: Any, distance: ArrayLike, upstream: ArrayLike, *, fill: Fill = ...) -> tuple[Array, Array]:
+        """Cotangents of the vertices of the column and of the distance, from those of the values."""
+
+buffer_area: _BufferMeasure
+"""{buffer_area}"""
+buffer_perimeter: _BufferMeasure
+"""{buffer_perimeter}"""
+
 class _UnionArea:
     __name__: str
     def __call__(self, a: Any, b: Any) -> Array: ...
@@ -690,7 +705,7 @@ def polygons(verb):
 
 
 def stubs():
-    of = {name: inspect.cleandoc(getattr(geograd, name).__doc__) for name in ("buffer", "union_area", "convex_hull", "procrustes", "euler", "from_euler", "hausdorff", "frechet")}
+    of = {name: inspect.cleandoc(getattr(geograd, name).__doc__) for name in ("buffer", "buffer_area", "buffer_perimeter", "union_area", "convex_hull", "procrustes", "euler", "from_euler", "hausdorff", "frechet")}
     lines = [HEAD.format(doc=geograd.__doc__, **of, item=ITEM, kind="kind: Kind = ..., ").replace("Report = _core.Report\n", "")]
     for name, count in ELEMENTARY.items():
         symbolic = ["x: Symbol"] if count == 1 else ["a: Symbol, b: Union[Symbol, float]", "a: float, b: Symbol"]

@@ -44,6 +44,7 @@
 //! | store and measure polygons with holes and several parts | [`polygon`] |
 //! | unite, intersect and subtract polygons of any kind | [`boolean`] |
 //! | grow, shrink (buffer) polygons and paths by a distance | [`offset`] |
+//! | add polygons point by point (Minkowski), find where one touches another | [`minkowski`] |
 //! | divide a polygon among sites: Voronoi and power cells | [`cells`] |
 //! | measure arcs, Bézier curves and paths of them, find the nearest place | [`curve`] |
 //! | triangulate points | [`delaunay`] |
@@ -148,6 +149,7 @@ pub mod mesh;
 #[cfg(feature = "mesh-files")]
 pub mod mesh_files;
 pub mod metric;
+pub mod minkowski;
 pub mod motion;
 pub mod offset;
 pub mod overlap;

@@ -148,17 +148,27 @@ fn pulled<S: Scalar>(
     let Raw {
         bars, radius_bar, ..
     } = bars;
+    pulled_before(rings, &laid.before, &bars, rings_bar);
+    laid.plan.radius(radius_bar).saturated().canonical()
+}
+
+/// Writes the cotangents of an input from those of the polygon that is offset.
+pub(super) fn pulled_before<S: Scalar>(
+    rings: Rings<'_, S>,
+    before: &Before,
+    bars: &[Vec2<S>],
+    rings_bar: &mut [Vec2<S>],
+) {
     let nothing = Rings::flat(&[], &[]);
-    match &laid.before {
+    match before {
         Before::Given => {
-            for (bar, found) in rings_bar[..bars.len()].iter_mut().zip(&bars) {
+            for (bar, found) in rings_bar[..bars.len()].iter_mut().zip(bars) {
                 *bar = found.saturated().canonical();
             }
         }
-        Before::United(trace) => overlay_vjp(rings, nothing, trace, &bars, rings_bar, &mut []),
-        Before::Valid(trace) => valid_vjp(rings, nothing, trace, &bars, rings_bar, &mut []),
+        Before::United(trace) => overlay_vjp(rings, nothing, trace, bars, rings_bar, &mut []),
+        Before::Valid(trace) => valid_vjp(rings, nothing, trace, bars, rings_bar, &mut []),
     }
-    laid.plan.radius(radius_bar).saturated().canonical()
 }
 
 /// The cotangents of the vertices that raw rings are of, and of the distance by which these move.

@@ -18,27 +18,40 @@ use std::sync::Arc;
 type Object<'py> = Bound<'py, PyAny>;
 
 /// The column that is offset.
-enum Source {
+pub enum Source {
     Polygons(Py<Polygons>),
     /// Vertices of paths, and where each path starts.
     Paths(Vertices, Vec<usize>),
 }
 
 impl Source {
-    fn vertices(&self) -> &Vertices {
+    /// Reads a column of polygons, or vertices of paths with the start of each.
+    pub fn of(column: &Object<'_>, starts: Option<Vec<usize>>) -> PyResult<Self> {
+        let Some(starts) = starts else {
+            return Ok(Source::Polygons(
+                column.cast::<Polygons>()?.clone().unbind(),
+            ));
+        };
+        let vertices = match vectors::<f32>(column) {
+            Ok(all) => Vertices::Single(all),
+            Err(_) => Vertices::Double(vectors::<f64>(column)?),
+        };
+        Ok(Source::Paths(vertices, starts))
+    }
+    pub fn vertices(&self) -> &Vertices {
         match self {
             Source::Polygons(own) => &own.get().vertices,
             Source::Paths(vertices, _) => vertices,
         }
     }
-    fn len(&self) -> usize {
+    pub fn len(&self) -> usize {
         match self {
             Source::Polygons(own) => own.get().layout.len(),
             Source::Paths(_, offsets) => offsets.len() - 1,
         }
     }
     /// Returns the vertices of an item, and the number of these up to the end of each ring.
-    fn item(&self, item: usize) -> (Range<usize>, Vec<usize>) {
+    pub fn item(&self, item: usize) -> (Range<usize>, Vec<usize>) {
         match self {
             Source::Polygons(own) => {
                 let layout = &own.get().layout;
@@ -200,16 +213,7 @@ pub fn polygon_buffer<'py>(
 ) -> PyResult<(Polygons, Buffer)> {
     let (join, limit, end, chords, tolerance) = look;
     let style = style((&join, limit, &end), (chords, tolerance), rule)?;
-    let source = match starts {
-        None => Source::Polygons(column.cast::<Polygons>()?.clone().unbind()),
-        Some(starts) => {
-            let vertices = match vectors::<f32>(column) {
-                Ok(all) => Vertices::Single(all),
-                Err(_) => Vertices::Double(vectors::<f64>(column)?),
-            };
-            Source::Paths(vertices, starts)
-        }
-    };
+    let source = Source::of(column, starts)?;
     let is_double = matches!(source.vertices(), Vertices::Double(_));
     in_format!(is_double, made(py, source, distances, style, is_valid))
 }
@@ -263,7 +267,7 @@ fn made<T: Format>(
 }
 
 /// Returns an error with the item of the column.
-fn at(i: usize, error: Error) -> Error {
+pub fn at(i: usize, error: Error) -> Error {
     match error {
         Error::Invalid { argument, flaw, .. } => Error::Invalid {
             argument,

@@ -1,6 +1,7 @@
 //! The module `geograd._core`.
 #![forbid(unsafe_code)]
 mod arrays;
+mod buffer_measures;
 mod buffered;
 mod call;
 mod camera;
@@ -120,6 +121,14 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_function(wrap_pyfunction!(separation::polygons_hold, m)?)?;
     m.add_function(wrap_pyfunction!(overlay::polygon_overlay, m)?)?;
     m.add_function(wrap_pyfunction!(buffered::polygon_buffer, m)?)?;
+    m.add_function(wrap_pyfunction!(
+        buffer_measures::polygon_buffer_measures,
+        m
+    )?)?;
+    m.add_function(wrap_pyfunction!(
+        buffer_measures::polygon_buffer_measures_along,
+        m
+    )?)?;
     m.add_function(wrap_pyfunction!(overlay::polygon_union_all, m)?)?;
     m.add_function(wrap_pyfunction!(samples::samples, m)?)?;
     m.add_function(wrap_pyfunction!(samples::hard_samples, m)?)?;

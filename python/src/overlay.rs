@@ -1,15 +1,20 @@
-//! Boolean operations of polygons, item by item, on all cores.
+//! Boolean operations and Minkowski sums of polygons, item by item, on all cores.
 use crate::polygon_calls::{Bars, fill, in_format, in_runs, place, together};
 use crate::polygons::{Format, Layout, Polygons, is_ring, rows, vectors};
 use crate::raised;
 use geograd::Error;
 use geograd::Vec2;
 use geograd::ad::adjoint::boolean::{overlay_vjp, valid_vjp};
+use geograd::ad::adjoint::minkowski::{minkowski_vjp, valid_minkowski_vjp};
 use geograd::boolean::{
     BooleanOperation, OverlayTrace, ValidTrace, overlay_replay, overlay_search, valid_replay,
     valid_search,
 };
-use geograd::polygon::{Fill, Rings};
+use geograd::minkowski::{
+    MinkowskiTrace, ValidMinkowskiTrace, minkowski_replay, minkowski_search, no_fit_search,
+    valid_minkowski_replay, valid_minkowski_search, valid_no_fit_search,
+};
+use geograd::polygon::{Fill, Polygon, Rings};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::ops::Range;
@@ -21,6 +26,18 @@ type Object<'py> = Bound<'py, PyAny>;
 enum Trace {
     Plain(OverlayTrace),
     Valid(ValidTrace),
+    Sum(MinkowskiTrace),
+    ValidSum(ValidMinkowskiTrace),
+}
+
+/// A function of two polygons that gives one.
+#[derive(Clone, Copy)]
+enum Operation {
+    Boolean(BooleanOperation),
+    /// The Minkowski sum.
+    Sum,
+    /// The sum with the second one mirrored.
+    NoFit,
 }
 
 /// A result and its record.
@@ -58,31 +75,58 @@ impl<T: Format> Item<T> {
         }
         self.layout.end_part();
     }
+    /// Adds the parts of a valid result.
+    fn add_valid(&mut self, parts: &[Polygon<T>]) {
+        let mut start = 0;
+        for part in parts {
+            self.add_part(part.rings().iter(), &mut start);
+        }
+    }
+    /// Adds the parts of a result, each by the numbers of its rings.
+    fn add_plain(&mut self, shape: &Polygon<T>, parts: impl Iterator<Item = Range<usize>>) {
+        let mut start = 0;
+        for part in parts {
+            self.add_part(part.map(|ring| shape.ring(ring)), &mut start);
+        }
+    }
     fn of(
         a: Rings<'_, T>,
         b: Rings<'_, T>,
-        operation: BooleanOperation,
+        operation: Operation,
         fill: Fill,
         is_valid: bool,
     ) -> Result<Self, Error> {
-        let mut start = 0;
-        let mut made;
-        if is_valid {
-            let trace = valid_search(a, b, operation, fill)?;
-            let parts = valid_replay(a, b, &trace);
-            made = Item::new(Trace::Valid(trace));
-            for part in &parts {
-                made.add_part(part.rings().iter(), &mut start);
+        let mut made = Item::new(Trace::Plain(OverlayTrace::default()));
+        made.trace = match (operation, is_valid) {
+            (Operation::Boolean(operation), true) => {
+                let trace = valid_search(a, b, operation, fill)?;
+                made.add_valid(&valid_replay(a, b, &trace));
+                Trace::Valid(trace)
             }
-        } else {
-            let trace = overlay_search(a, b, operation, fill)?;
-            let shape = overlay_replay(a, b, &trace);
-            made = Item::new(Trace::Plain(OverlayTrace::default()));
-            for part in trace.parts() {
-                made.add_part(part.map(|ring| shape.ring(ring)), &mut start);
+            (Operation::Boolean(operation), false) => {
+                let trace = overlay_search(a, b, operation, fill)?;
+                made.add_plain(&overlay_replay(a, b, &trace), trace.parts());
+                Trace::Plain(trace)
             }
-            made.trace = Trace::Plain(trace);
-        }
+            (Operation::Sum | Operation::NoFit, true) => {
+                let search = match operation {
+                    Operation::Sum => valid_minkowski_search::<T>,
+                    _ => valid_no_fit_search::<T>,
+                };
+                let trace = search(a, b, fill)?;
+                made.add_valid(&valid_minkowski_replay(a, b, &trace));
+                Trace::ValidSum(trace)
+            }
+            (Operation::Sum | Operation::NoFit, false) => {
+                let search = match operation {
+                    Operation::Sum => minkowski_search::<T>,
+                    _ => no_fit_search::<T>,
+                };
+                let trace = search(a, b, fill)?;
+                made.add_plain(&minkowski_replay(a, b, &trace), trace.parts());
+                Trace::Sum(trace)
+            }
+        };
         made.layout.end_polygon();
         Ok(made)
     }
@@ -99,12 +143,14 @@ pub struct Overlay {
     is_double: bool,
 }
 
-fn operation(name: &str) -> PyResult<BooleanOperation> {
+fn operation(name: &str) -> PyResult<Operation> {
     Ok(match name {
-        "union" => BooleanOperation::Union,
-        "intersection" => BooleanOperation::Intersection,
-        "difference" => BooleanOperation::Difference,
-        "symmetric_difference" => BooleanOperation::SymmetricDifference,
+        "union" => Operation::Boolean(BooleanOperation::Union),
+        "intersection" => Operation::Boolean(BooleanOperation::Intersection),
+        "difference" => Operation::Boolean(BooleanOperation::Difference),
+        "symmetric_difference" => Operation::Boolean(BooleanOperation::SymmetricDifference),
+        "minkowski_sum" => Operation::Sum,
+        "no_fit_polygon" => Operation::NoFit,
         other => {
             return Err(PyValueError::new_err(format!(
                 "no operation is called {other:?}"
@@ -130,7 +176,7 @@ pub fn polygon_overlay(
 
 fn overlaid<T: Format>(
     py: Python<'_>,
-    (operation, fill, is_valid): (BooleanOperation, Fill, bool),
+    (operation, fill, is_valid): (Operation, Fill, bool),
     a: Bound<'_, Polygons>,
     b: Bound<'_, Polygons>,
 ) -> PyResult<(Polygons, Overlay)> {
@@ -201,6 +247,8 @@ fn pulled<'py, T: Format>(
             let vertices = match trace {
                 Trace::Plain(trace) => trace.vertex_count(),
                 Trace::Valid(trace) => trace.vertex_count(),
+                Trace::Sum(trace) => trace.vertex_count(),
+                Trace::ValidSum(trace) => trace.vertex_count(),
             };
             bars.clear();
             bars.resize(vertices, Vec2::zero());
@@ -217,6 +265,10 @@ fn pulled<'py, T: Format>(
             match trace {
                 Trace::Plain(trace) => overlay_vjp(of_a, of_b, trace, &bars, into_a, into_b),
                 Trace::Valid(trace) => valid_vjp(of_a, of_b, trace, &bars, into_a, into_b),
+                Trace::Sum(trace) => minkowski_vjp(of_a, of_b, trace, &bars, into_a, into_b),
+                Trace::ValidSum(trace) => {
+                    valid_minkowski_vjp(of_a, of_b, trace, &bars, into_a, into_b);
+                }
             }
             a_bars.add();
             b_bars.add();
@@ -259,7 +311,7 @@ fn united<T: Format>(py: Python<'_>, own: &Polygons, is_valid: bool) -> PyResult
         Item::<T>::of(
             all.rings(),
             nothing,
-            BooleanOperation::Union,
+            Operation::Boolean(BooleanOperation::Union),
             Fill::NonZero,
             is_valid,
         )

@@ -1,7 +1,7 @@
 //! Inputs on a grid of whole numbers, edge by edge.
 use super::cut::Numbered;
-use super::snap::Squares;
-use super::{EdgeId, Owner, VertexId};
+use super::snap::{Squares, crossing};
+use super::{EdgeId, Origin, Owner, VertexId};
 use crate::error::{Argument, Error, Flaw, VertexFault};
 use crate::polygon::Rings;
 use crate::predicate::wide;
@@ -175,6 +175,18 @@ impl Grid {
             *at = squares.of(*at);
         }
         pieces
+    }
+    /// Returns the place of a vertex on the grid, or that of a crossing, rounded down; `None` where edges do not cross.
+    pub fn origin(&self, origin: Origin) -> Option<IntPoint<i64>> {
+        let ends = |id: EdgeId| {
+            let ring = &self.places[id.owner as usize][id.ring];
+            [ring[id.edge], ring[(id.edge + 1) % ring.len()]]
+        };
+        match origin {
+            Origin::Vertex(id) => Some(self.places[id.owner as usize][id.ring][id.vertex]),
+            Origin::Cross(a, b) => crossing(ends(a), ends(b)),
+            Origin::Foot { .. } => None,
+        }
     }
     /// Returns the coordinates of a point of the grid of [`squares`].
     pub fn coordinates<S: Scalar>(&self, at: IntPoint<i64>) -> [f64; 2] {

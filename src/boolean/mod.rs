@@ -53,7 +53,8 @@
 //!
 //! i_overlay cuts edges on a grid of 2⁶⁰ steps (`grid`) and carries a tag per edge. `corner` reads the origin of a
 //! vertex (vertex, crossing, foot) from the tags before and after it, without numbers. For valid results edges are cut
-//! and rounded first (`snap`), and faces traced (`faces`).
+//! and rounded first (`snap`), and faces traced (`faces`). Unions with nothing whose edges keep apart or cross clearly
+//! (`meetings`) need none of it: a walk along each ring knows the winding numbers on both sides (`walked`).
 #[cfg(feature = "boolean")]
 mod corner;
 #[cfg(feature = "boolean")]
@@ -62,6 +63,8 @@ mod cut;
 mod faces;
 #[cfg(feature = "boolean")]
 mod grid;
+#[cfg(feature = "boolean")]
+mod meetings;
 #[cfg(feature = "boolean")]
 mod pieces;
 mod records;
@@ -72,7 +75,11 @@ mod shortcut;
 mod snap;
 #[cfg(feature = "boolean")]
 mod valid;
+#[cfg(feature = "boolean")]
+mod walked;
 
+#[cfg(feature = "boolean")]
+pub(crate) use pieces::framed_search;
 #[cfg(feature = "boolean")]
 #[doc(hidden)]
 pub use pieces::is_cut_alike;
@@ -86,5 +93,7 @@ pub(crate) use replay::{foot, input_edge, input_vertex};
 pub use replay::{iou_replay, overlay_replay, valid_replay};
 #[cfg(feature = "boolean")]
 pub use shortcut::{difference, intersection, iou_search, symmetric_difference, union};
+#[cfg(feature = "boolean")]
+pub(crate) use valid::valid_framed_search;
 #[cfg(feature = "boolean")]
 pub use valid::{valid, valid_search};

@@ -3,8 +3,10 @@ use super::corner::{Border, corner};
 use super::cut::{Numbered, cut, may_grow};
 use super::grid::{Grid, Steps, Tag, invalid, squares};
 use super::snap::Squares;
+use super::walked::walked_trace;
 use super::{BooleanOperation, OverlayTrace, Owner};
 use crate::Scalar;
+use crate::contain::Location;
 use crate::error::Error;
 use crate::polygon::{Fill, Rings};
 use i_overlay::core::edge_data::{EdgeDataMerge, OverlayEdgeData};
@@ -178,6 +180,32 @@ pub fn overlay_search<'a, S: Scalar<Mask = bool>>(
     operation: BooleanOperation,
     fill: Fill,
 ) -> Result<OverlayTrace, Error> {
-    let mut pieces = Pieces::new([a.into(), b.into()], fill)?;
+    let inputs = [a.into(), b.into()];
+    if operation == BooleanOperation::Union && inputs[1].count() == 0 {
+        let flaw = |flaw| invalid(Owner::A, flaw);
+        inputs[0].validate().map_err(flaw)?;
+        let own = (Owner::A, 0);
+        if let Some(trace) = walked_trace(inputs[0], own, 0, |winding| {
+            Location::Off(winding).is_inside(fill)
+        }) {
+            return Ok(trace);
+        }
+    }
+    let mut pieces = Pieces::new(inputs, fill)?;
     Ok(pieces.trace(operation))
+}
+
+/// Returns the record of the part of a frame that no ring covers: of the difference of the frame and, second, of the same
+/// frame with rings inside of it, by the non-zero rule.
+pub(crate) fn framed_search<S: Scalar<Mask = bool>>(
+    frame: Rings<'_, S>,
+    all: Rings<'_, S>,
+) -> Result<OverlayTrace, Error> {
+    let inner: Vec<_> = all.iter().skip(1).collect();
+    match walked_trace(Rings::from(&inner[..]), (Owner::B, 1), 1, |winding| {
+        winding == 0
+    }) {
+        Some(trace) => Ok(trace),
+        None => overlay_search(frame, all, BooleanOperation::Difference, Fill::NonZero),
+    }
 }

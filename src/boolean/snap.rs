@@ -92,7 +92,7 @@ impl Squares {
 }
 
 /// Returns the crossing of two edges that are not parallel, rounded down in both coordinates.
-fn crossing(a: [Point; 2], b: [Point; 2]) -> Option<Point> {
+pub(super) fn crossing(a: [Point; 2], b: [Point; 2]) -> Option<Point> {
     let apart = |a: [i64; 2], b: [i64; 2]| {
         a[0].max(a[1]) < b[0].min(b[1]) || b[0].max(b[1]) < a[0].min(a[1])
     };

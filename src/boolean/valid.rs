@@ -1,12 +1,16 @@
 //! Results that are valid by the OGC's rules.
 use super::corner::{Border, origins};
 use super::faces::{BorderPiece, is_straight, parts};
+use super::grid::{Grid, Steps, invalid, squares};
 use super::pieces::Pieces;
 use super::records::ValidOrigin;
-use super::{BooleanOperation, ValidTrace, valid_replay};
+use super::walked::{Names, walked_parts};
+use super::{BooleanOperation, Owner, ValidTrace, valid_replay};
 use crate::Scalar;
+use crate::contain::Location;
 use crate::error::Error;
 use crate::polygon::{Fill, Polygon, Rings};
+use i_overlay::i_float::int::point::IntPoint;
 
 /// Returns the result of a boolean operation as polygons that are valid by the OGC's rules (Simple Features, OGC
 /// 06-103r4, section 6.1.11): one polygon per part, its outer ring first, counter-clockwise, then its holes, clockwise.
@@ -48,7 +52,16 @@ pub fn valid_search<'a, S: Scalar<Mask = bool>>(
     operation: BooleanOperation,
     fill: Fill,
 ) -> Result<ValidTrace, Error> {
-    let mut pieces = Pieces::snapped([a.into(), b.into()], fill)?;
+    let inputs = [a.into(), b.into()];
+    if operation == BooleanOperation::Union && inputs[1].count() == 0 {
+        let flaw = |flaw| invalid(Owner::A, flaw);
+        inputs[0].validate().map_err(flaw)?;
+        let is_inside = |winding| Location::Off(winding).is_inside(fill);
+        if let Some(trace) = walked_valid(inputs, inputs[0], (Owner::A, 0), 0, is_inside) {
+            return Ok(trace);
+        }
+    }
+    let mut pieces = Pieces::snapped(inputs, fill)?;
     let mut all = Vec::new();
     for piece in pieces.parts(operation).into_iter().flatten().flatten() {
         let (from, to, of) = (piece.a, piece.b, all.len());
@@ -86,4 +99,49 @@ pub fn valid_search<'a, S: Scalar<Mask = bool>>(
         trace.parts.push(trace.rings.len());
     }
     Ok(trace)
+}
+
+/// Returns the record of a valid result of rings in general position, by some steps of its grid. They are those of an input
+/// from a number on.
+fn walked_valid<S: Scalar<Mask = bool>>(
+    inputs: [Rings<'_, S>; 2],
+    rings: Rings<'_, S>,
+    names: (Owner, usize),
+    base: i32,
+    is_inside: impl Fn(i32) -> bool,
+) -> Option<ValidTrace> {
+    let grid = Grid::new(inputs, Steps::Exact).ok()?;
+    let squares = squares::<S>();
+    let one = squares.center(IntPoint::new(1, 0));
+    let steps = 8.0 * grid.coordinates::<S>(squares.of(one))[0];
+    let parts = walked_parts(rings, steps, base, is_inside)?;
+    let names = Names::new(rings, names);
+    let mut trace = ValidTrace::default();
+    for part in parts {
+        for ring in part {
+            for vertex in ring {
+                let origin = names.origin(vertex);
+                let at = squares.of(grid.origin(origin)?);
+                trace.places.push(grid.coordinates::<S>(at));
+                trace.made.push(ValidOrigin::Of(vec![origin]));
+            }
+            trace.rings.push(trace.places.len());
+        }
+        trace.parts.push(trace.rings.len());
+    }
+    Some(trace)
+}
+
+/// Returns the record of the part of a frame that no ring covers, valid by the OGC's rules; see
+/// [`framed_search`](super::framed_search).
+pub(crate) fn valid_framed_search<S: Scalar<Mask = bool>>(
+    frame: Rings<'_, S>,
+    all: Rings<'_, S>,
+) -> Result<ValidTrace, Error> {
+    let inner: Vec<_> = all.iter().skip(1).collect();
+    let own = Rings::from(&inner[..]);
+    match walked_valid([frame, all], own, (Owner::B, 1), 1, |winding| winding == 0) {
+        Some(trace) => Ok(trace),
+        None => valid_search(frame, all, BooleanOperation::Difference, Fill::NonZero),
+    }
 }

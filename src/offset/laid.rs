@@ -26,11 +26,11 @@ pub(crate) struct Laid {
     pub plan: Plan,
 }
 
-impl Laid {
+impl Before {
     /// Returns the polygon that is offset.
     pub fn polygon<S: Scalar>(&self, rings: Rings<'_, S>) -> Polygon<S> {
         let nothing = Rings::flat(&[], &[]);
-        match &self.before {
+        match self {
             Before::Given => rings.to_polygon(),
             Before::United(trace) => overlay_replay(rings, nothing, trace),
             Before::Valid(trace) => {
@@ -45,6 +45,13 @@ impl Laid {
                 made
             }
         }
+    }
+}
+
+impl Laid {
+    /// Returns the polygon that is offset.
+    pub fn polygon<S: Scalar>(&self, rings: Rings<'_, S>) -> Polygon<S> {
+        self.before.polygon(rings)
     }
     /// Returns both inputs of the boolean operation that makes the result: the raw rings and nothing, whose union it
     /// is; or a frame, and the same frame with the raw rings, whose difference it is.

@@ -38,10 +38,36 @@
 //! that leaves nothing gives no parts, with area, perimeter and derivatives of zero. Paths have no offset by a distance
 //! of zero or less.
 //!
+//! # Exact arcs
+//!
+//! [`round_offset_measures`] has the area and the perimeter with round joins and ends without chords:
+//!
+//! ```
+//! # #[cfg(feature = "boolean")] {
+//! use geograd::{Vec2, offset::{OffsetStyle, round_path_offset_measures}};
+//! let path = [Vec2::new(0.0, 0.0), Vec2::new(4.0, 0.0)];
+//! let found = round_path_offset_measures(&path, 1.0_f64, &OffsetStyle::default())?;
+//! assert!((found.area - (8.0 + std::f64::consts::PI)).abs() < 1e-14);
+//! # }
+//! # Ok::<(), geograd::Error>(())
+//! ```
+//!
+//! The record, [`RoundOffsetTrace`], names the pieces of the border: an edge moved along its normal or an arc about a vertex,
+//! and at each end of a piece the curve that cuts it. A crossing is that at which one curve ends and the other one starts, so
+//! it needs no number to tell the two crossings of circles apart.
+//! [`round_offset_vjp`](crate::ad::adjoint::round_offset::round_offset_vjp) has the adjoint by the motion of the border. Duals
+//! pass through it, so they give second derivatives. The derivative of the area by the distance is the perimeter, exactly.
+//!
+//! [`round_offset_curves`] has the border itself, as contours of lines and arcs.
+//!
+//! Each side and each arc is decided by itself: capsules of the distance around all other edges are taken from it. A record is
+//! used if each piece goes over into exactly one other one, at one place. Otherwise chords stand for the arcs, which
+//! [`RoundOffsetTrace::is_exact`] tells; known cases are paths that lie along themselves.
+//!
 //! # Kinks
 //!
 //! The derivative of the area by the distance is the perimeter for mitres that are not cut, and for arcs in the limit of
-//! short chords; for bevels, cut mitres and flat ends it is another. Kinks of the area:
+//! short chords; for bevels, cut mitres and flat ends it is another. Kinks of the area, exact arcs included:
 //!
 //! * parallel edges that meet: a slot closes, a plate or a neck vanishes. The derivative of the area by the distance, the
 //!   perimeter, jumps there. The result is that of the closed slot, and the empty plate;
@@ -59,19 +85,46 @@
 //! covers a point: it is zero outside of the offset. So the offset is the union of the raw rings by the non-zero rule.
 //! Inward it is a frame around all, less the offset of all that is outside of the polygon.
 #[cfg(feature = "boolean")]
+mod capsules;
+#[cfg(feature = "boolean")]
+mod edge_cells;
+#[cfg(feature = "boolean")]
 mod joins;
 mod laid;
 #[cfg(feature = "boolean")]
 mod outlined;
 mod raw;
+mod round_border;
+#[cfg(feature = "boolean")]
+mod round_closing;
+#[cfg(feature = "boolean")]
+mod round_corners;
+mod round_curves;
+#[cfg(feature = "boolean")]
+mod round_pieces;
+#[cfg(feature = "boolean")]
+mod round_search;
+mod round_trace;
 mod style;
 
 pub(crate) use laid::{Before, Laid};
 pub use laid::{OffsetTrace, ValidOffsetTrace, offset_replay, valid_offset_replay};
+#[cfg(feature = "boolean")]
+pub(crate) use outlined::united;
 #[cfg(feature = "boolean")]
 pub use outlined::{
     offset, offset_area, offset_perimeter, offset_search, path_offset, path_offset_search,
     valid_offset_search, valid_path_offset_search,
 };
 pub(crate) use raw::{Bend, Plan, cut_share, directions, right};
+pub use round_border::{OffsetMeasures, round_offset_replay};
+pub(crate) use round_border::{RoundBorder, sweep};
+pub use round_curves::round_offset_curves;
+#[cfg(feature = "boolean")]
+pub use round_search::{
+    round_offset_measures, round_offset_search, round_path_offset_measures,
+    round_path_offset_search,
+};
+pub use round_trace::RoundOffsetTrace;
+pub(crate) use round_trace::{OffsetCurve, PieceEnd, RoundWay};
 pub use style::{Chords, End, Join, OffsetStyle};

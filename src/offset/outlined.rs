@@ -4,7 +4,8 @@ use super::laid::{Before, Laid};
 use super::raw::Plan;
 use super::{OffsetStyle, OffsetTrace, ValidOffsetTrace, offset_replay, valid_offset_replay};
 use crate::boolean::{
-    BooleanOperation, Origin, OverlayTrace, ValidTrace, overlay_search, valid_search,
+    BooleanOperation, Origin, OverlayTrace, ValidTrace, framed_search, overlay_search,
+    valid_framed_search, valid_search,
 };
 use crate::error::{Argument, Error, Field, Flaw, VertexFault};
 use crate::polygon::{self, Polygon, Rings};
@@ -12,8 +13,8 @@ use crate::predicate::wide;
 use crate::{Scalar, Vec2};
 
 /// The kind of an input.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Subject {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Subject {
     Polygon,
     Paths,
 }
@@ -26,19 +27,19 @@ fn invalid(argument: Argument, flaw: Flaw) -> Error {
     }
 }
 
-/// Returns the polygon's own union by the rule of the style.
-fn united<S: Scalar<Mask = bool>>(
+/// Returns the polygon's own union by a fill rule.
+pub(crate) fn united<S: Scalar<Mask = bool>>(
     rings: Rings<'_, S>,
-    style: &OffsetStyle,
+    fill: polygon::Fill,
 ) -> Result<Before, Error> {
     let nothing = Rings::flat(&[], &[]);
     let union = BooleanOperation::Union;
-    let trace = overlay_search(rings, nothing, union, style.fill)?;
+    let trace = overlay_search(rings, nothing, union, fill)?;
     // Crossings are rounded, and rings through them may cross again; vertices are not.
     if trace.origins().all(|of| matches!(of, [Origin::Vertex(_)])) {
         return Ok(Before::United(trace));
     }
-    valid_search(rings, nothing, union, style.fill).map(Before::Valid)
+    valid_search(rings, nothing, union, fill).map(Before::Valid)
 }
 
 /// Returns `Ok` when every coordinate is finite and every path has two places.
@@ -58,6 +59,58 @@ fn validate_paths<S: Scalar<Mask = bool>>(paths: Rings<'_, S>) -> Result<(), Fla
     Ok(())
 }
 
+/// Returns the polygon that is offset, from a valid input.
+pub(super) fn before<S: Scalar<Mask = bool>>(
+    rings: Rings<'_, S>,
+    style: &OffsetStyle,
+    subject: Subject,
+) -> Result<Before, Error> {
+    match subject {
+        Subject::Paths => validate_paths(rings).map(|()| Before::Given),
+        Subject::Polygon if style.is_trusted => rings.validate().map(|()| Before::Given),
+        Subject::Polygon => return united(rings, style.fill),
+    }
+    .map_err(|flaw| invalid(Argument::A, flaw))
+}
+
+fn of_distance(flaw: Flaw) -> Error {
+    invalid(Argument::Named("distance"), flaw)
+}
+
+/// Returns the error of a distance beyond the numbers of the format.
+fn too_far() -> Error {
+    let rule = "moves a vertex beyond the largest number";
+    of_distance(Flaw::Broken(Field::VALUE, rule))
+}
+
+/// Returns a distance that is finite.
+fn distance<S: Scalar<Mask = bool>>(d: S) -> Result<f64, Error> {
+    let distance = wide(Vec2::new(d, d)).map_or(0.0, |[d, _]| d);
+    if distance.is_finite() {
+        Ok(distance)
+    } else {
+        Err(of_distance(Flaw::NotFinite(Field::VALUE)))
+    }
+}
+
+/// Returns a distance that is finite and keeps all points within it of some vertices finite.
+pub(super) fn checked_distance<S: Scalar<Mask = bool>>(
+    rings: Rings<'_, S>,
+    d: S,
+) -> Result<f64, Error> {
+    let distance = distance(d)?;
+    // Twice as far, for the extent of the result.
+    let far = (d + d).unsigned();
+    let is_within = |v: &Vec2<S>| {
+        let reach = v.x.unsigned().most(v.y.unsigned());
+        !reach.finite() || (reach + reach + far).finite()
+    };
+    match rings.iter().flatten().all(is_within) {
+        true => Ok(distance),
+        false => Err(too_far()),
+    }
+}
+
 fn laid<S: Scalar<Mask = bool>>(
     rings: Rings<'_, S>,
     d: S,
@@ -65,24 +118,8 @@ fn laid<S: Scalar<Mask = bool>>(
     subject: Subject,
 ) -> Result<Laid, Error> {
     style.validate()?;
-    let distance = wide(Vec2::new(d, d)).map_or(0.0, |[d, _]| d);
-    let of_distance = |flaw| invalid(Argument::Named("distance"), flaw);
-    if !distance.is_finite() {
-        return Err(of_distance(Flaw::NotFinite(Field::VALUE)));
-    }
-    let before = match subject {
-        Subject::Paths => {
-            validate_paths(rings).map_err(|flaw| invalid(Argument::A, flaw))?;
-            Before::Given
-        }
-        Subject::Polygon if style.is_trusted => {
-            rings
-                .validate()
-                .map_err(|flaw| invalid(Argument::A, flaw))?;
-            Before::Given
-        }
-        Subject::Polygon => united(rings, style)?,
-    };
+    let distance = distance(d)?;
+    let before = before(rings, style, subject)?;
     let mut laid = Laid {
         before,
         plan: Plan::default(),
@@ -106,8 +143,7 @@ fn laid<S: Scalar<Mask = bool>>(
         .iter()
         .all(|vertex| vertex.is_finite())
     {
-        let rule = "moves a vertex beyond the largest number";
-        return Err(of_distance(Flaw::Broken(Field::VALUE, rule)));
+        return Err(too_far());
     }
     // Walks whose rings round to less than three places enclose nothing.
     let mut rings = raw.rings().iter();
@@ -117,14 +153,6 @@ fn laid<S: Scalar<Mask = bool>>(
             .is_some_and(|ring| Rings::from(ring).validate().is_ok())
     });
     Ok(laid)
-}
-
-/// Returns the operation that makes the result of its inputs.
-fn operation(plan: &Plan) -> BooleanOperation {
-    match plan.is_inward {
-        true => BooleanOperation::Difference,
-        false => BooleanOperation::Union,
-    }
 }
 
 fn searched<S: Scalar<Mask = bool>>(
@@ -137,8 +165,11 @@ fn searched<S: Scalar<Mask = bool>>(
     let mut result = OverlayTrace::default();
     if !laid.plan.walks.is_empty() {
         let [a, b] = laid.inputs(&laid.polygon(rings), d);
-        let operation = operation(&laid.plan);
-        result = overlay_search(&a, &b, operation, polygon::Fill::NonZero)?;
+        result = if laid.plan.is_inward {
+            framed_search(a.rings(), b.rings())?
+        } else {
+            overlay_search(&a, &b, BooleanOperation::Union, polygon::Fill::NonZero)?
+        };
     }
     Ok(OffsetTrace { laid, result })
 }
@@ -153,8 +184,11 @@ fn valid_searched<S: Scalar<Mask = bool>>(
     let mut result = ValidTrace::default();
     if !laid.plan.walks.is_empty() {
         let [a, b] = laid.inputs(&laid.polygon(rings), d);
-        let operation = operation(&laid.plan);
-        result = valid_search(&a, &b, operation, polygon::Fill::NonZero)?;
+        result = if laid.plan.is_inward {
+            valid_framed_search(a.rings(), b.rings())?
+        } else {
+            valid_search(&a, &b, BooleanOperation::Union, polygon::Fill::NonZero)?
+        };
     }
     Ok(ValidOffsetTrace { laid, result })
 }

@@ -15,7 +15,7 @@ import os as _os
 
 from . import _core, assignment, metric, suppression
 from ._core import WGSL, Program, Shape, Symbol, Truth, __version__, get_num_threads, set_num_threads
-from ._buffer import buffer
+from ._buffer import buffer, buffer_area, buffer_perimeter
 from ._camera import sees
 from ._cells import Cells
 from ._check import Reports, check
@@ -50,7 +50,7 @@ __all__ = sorted(
         "Cells", "Cloud", "Clouds", "CurvePath", "Delaunay", "Function", "HullMeasure", "Mesh", "Paths", "Polygons", "Polylines", "Program", "Reports", "Rings", "Shape", "Symbol",
         "Truth", "Verb",
         "WGSL", "__version__", "assignment", "metric", "suppression",
-        "buffer", "check", "clip", "contains", "convex_hull", "euler", "frechet", "from_euler", "function", "get_num_threads", "hausdorff", "hull_faces",
+        "buffer", "buffer_area", "buffer_perimeter", "check", "clip", "contains", "convex_hull", "euler", "frechet", "from_euler", "function", "get_num_threads", "hausdorff", "hull_faces",
         "procrustes", "sees",
         "set_num_threads", "union_area", "where", *_ELEMENTARY, *_CLASSES, *_OF_HULLS, *_OVERLAYS, *_VERBS,
     ]

@@ -390,6 +390,43 @@ cross by a rounding; with ``valid=True`` it is valid by the OGC's rules, as :fun
 >>> geograd.area(geograd.buffer(square, 1.0, join="mitre"))
 array([36.])"""
 
+class _BufferMeasure:
+    __name__: str
+    def __call__(self, column: Any, distance: ArrayLike, *, fill: Fill = ...) -> Array: ...
+    def is_exact(self, column: Any, distance: ArrayLike, *, fill: Fill = ...) -> Array:
+        """Says of each row whether its arcs are exact."""
+    def value_grad(self, column: Any, distance: ArrayLike, *, fill: Fill = ...) -> tuple[Array, tuple[Array, Array]]:
+        """Values, and the derivatives of each by the vertices of its row and by its distance."""
+    def vjp(self, column: Any, distance: ArrayLike, upstream: ArrayLike, *, fill: Fill = ...) -> tuple[Array, Array]:
+        """Cotangents of the vertices of the column and of the distance, from those of the values."""
+
+buffer_area: _BufferMeasure
+"""The area of polygons grown (a positive distance) or shrunk (a negative one), or of the surroundings of open paths,
+row by row, with round corners and ends whose arcs are exact: no chords.
+
+``distance`` is one number, or one per row. A polygon may be of any kind: ``fill`` says what is inside. A row that the distance empties has 0. The area grows by the perimeter.
+
+The vertices of the column and the distance have exact derivatives (``value_grad``, ``vjp``): those of the motion of the
+border. Where it cannot be certain of the arcs, such as for a path that lies along itself, 128 chords or more per quarter
+of a turn stand for them; ``is_exact`` tells.
+
+>>> square = geograd.Polygons.of([[(0, 0), (4, 0), (4, 4), (0, 4)]])
+>>> geograd.buffer_area(square, 1.0)
+array([35.14159265])"""
+buffer_perimeter: _BufferMeasure
+"""The perimeter, holes included, of polygons grown (a positive distance) or shrunk (a negative one), or of the surroundings of open paths,
+row by row, with round corners and ends whose arcs are exact: no chords.
+
+``distance`` is one number, or one per row. A polygon may be of any kind: ``fill`` says what is inside. A row that the distance empties has 0.
+
+The vertices of the column and the distance have exact derivatives (``value_grad``, ``vjp``): those of the motion of the
+border. Where it cannot be certain of the arcs, such as for a path that lies along itself, 128 chords or more per quarter
+of a turn stand for them; ``is_exact`` tells.
+
+>>> square = geograd.Polygons.of([[(0, 0), (4, 0), (4, 4), (0, 4)]])
+>>> geograd.buffer_perimeter(square, 1.0)
+array([22.28318531])"""
+
 class _UnionArea:
     __name__: str
     def __call__(self, a: Any, b: Any) -> Array: ...
@@ -6093,6 +6130,34 @@ difference: _Overlay
 
 intersection: _Overlay
 """The points in both of two polygons.
+
+    One polygon may stand for all of the other column. ``fill`` says which points of an input are inside: ``"even_odd"``,
+    those that an odd number of rings enclose, or ``"nonzero"``. Inputs may cross themselves. Parts of the result run
+    counter-clockwise, holes clockwise.
+
+    The vertices of the result are exact to roundings, and have derivatives (``vjp``); edges of it may cross by a rounding
+    and parts may meet in points. With ``valid=True`` the result is valid by the OGC's rules, which GEOS and shapely require
+    of what they get: vertices are rounded to a grid of the format, within a step of the last digit of the largest
+    coordinate. That takes longer for polygons of many vertices.
+
+"""
+
+minkowski_sum: _Overlay
+"""All sums of a point of one polygon and a point of another one: their Minkowski sum.
+
+    One polygon may stand for all of the other column. ``fill`` says which points of an input are inside: ``"even_odd"``,
+    those that an odd number of rings enclose, or ``"nonzero"``. Inputs may cross themselves. Parts of the result run
+    counter-clockwise, holes clockwise.
+
+    The vertices of the result are exact to roundings, and have derivatives (``vjp``); edges of it may cross by a rounding
+    and parts may meet in points. With ``valid=True`` the result is valid by the OGC's rules, which GEOS and shapely require
+    of what they get: vertices are rounded to a grid of the format, within a step of the last digit of the largest
+    coordinate. That takes longer for polygons of many vertices.
+
+"""
+
+no_fit_polygon: _Overlay
+"""All moves of the second polygon by which it touches or overlaps the first one.
 
     One polygon may stand for all of the other column. ``fill`` says which points of an input are inside: ``"even_odd"``,
     those that an odd number of rings enclose, or ``"nonzero"``. Inputs may cross themselves. Parts of the result run

@@ -77,7 +77,7 @@ def _pulled(record: Any, bar: Array, shapes: Any) -> Any:
 
 
 class Overlay:
-    """A boolean operation on polygons of JAX's arrays: see the one of :mod:`geograd`.
+    """An operation on polygons of JAX's arrays: see the one of :mod:`geograd`.
 
     How many vertices the result has depends on numbers. So the plain call, which gives :class:`Polygons`, works where numbers
     are known: outside of ``jit`` and ``vmap``, within ``grad``, ``vjp`` and ``jacrev``. With ``capacity``, the largest number of
@@ -172,3 +172,5 @@ union = Overlay("union")
 intersection = Overlay("intersection")
 difference = Overlay("difference")
 symmetric_difference = Overlay("symmetric_difference")
+minkowski_sum = Overlay("minkowski_sum")
+no_fit_polygon = Overlay("no_fit_polygon")

@@ -388,7 +388,7 @@ def contains(polygons, points, *, fill="even_odd"):
 
 
 class Overlay:
-    """A boolean operation of polygons, item by item, exact: a function of two columns that gives one.
+    """An operation of polygons, item by item, exact: a function of two columns that gives one.
 
     One polygon may stand for all of the other column. ``fill`` says which points of an input are inside: ``"even_odd"``,
     those that an odd number of rings enclose, or ``"nonzero"``. Inputs may cross themselves. Parts of the result run
@@ -463,6 +463,8 @@ OVERLAYS = {
         ("intersection", "The points in both of two polygons."),
         ("difference", "The points in the first of two polygons and not in the second."),
         ("symmetric_difference", "The points in exactly one of two polygons."),
+        ("minkowski_sum", "All sums of a point of one polygon and a point of another one: their Minkowski sum."),
+        ("no_fit_polygon", "All moves of the second polygon by which it touches or overlaps the first one."),
     )
 }
 union_area = UnionArea()

@@ -267,7 +267,7 @@ def _given(verb, x, dtype, kind):
 
 
 class Overlay:
-    """A boolean operation on polygons of tensors: see the one of :mod:`geograd`. The vertices of the result are a tensor,
+    """An operation on polygons of tensors: see the one of :mod:`geograd`. The vertices of the result are a tensor,
     differentiable by those of both inputs."""
 
     def __init__(self, name):
@@ -319,6 +319,61 @@ def buffer(column, distance, **style):
     distance = torch.as_tensor(distance, dtype=column.vertices.dtype)
     made, record = geograd.buffer._of(column.column, _array(distance.detach()), **style)
     return Polygons(_Buffer.apply(record, made, column.vertices, distance), made)
+
+
+class _BufferMeasure(torch.autograd.Function):
+    @staticmethod
+    def forward(ctx, measure, column, fill, vertices, distance):
+        ctx.of = measure, column, fill
+        ctx.save_for_backward(vertices, distance)
+        return torch.from_numpy(measure(column, _array(distance), fill=fill))
+
+    @staticmethod
+    def backward(ctx, bar):
+        return None, None, None, *_BufferMeasureSlope.apply(ctx.of, bar, *ctx.saved_tensors)
+
+
+class _BufferMeasureSlope(torch.autograd.Function):
+    """Its cotangents, with their derivatives: second derivatives are symmetric, so those along a direction are enough."""
+
+    @staticmethod
+    def forward(ctx, of, bar, vertices, distance):
+        ctx.of = of
+        ctx.save_for_backward(bar, vertices, distance)
+        measure, column, fill = of
+        by_vertices, by_distance = measure.vjp(column, _array(distance), _array(bar), fill=fill)
+        return _tensor(by_vertices).to(vertices.dtype), torch.as_tensor(by_distance).to(distance.dtype)
+
+    @staticmethod
+    @torch.autograd.function.once_differentiable
+    def backward(ctx, by_vertices, by_distance):
+        measure, column, fill = ctx.of
+        bar, vertices, distance = ctx.saved_tensors
+        along = _array(by_vertices), _array(by_distance)
+        values, (turned, further) = measure._along(column, _array(distance), _array(bar), along, fill)
+        return None, _tensor(values), _tensor(turned).to(vertices.dtype), torch.as_tensor(further).to(distance.dtype)
+
+
+@torch.compiler.disable
+def _buffer_measure(measure, column, distance, fill):
+    if not isinstance(column, Column):
+        column = (Polylines if isinstance(column, geograd.Polylines) else Polygons).of(column)
+    distance = torch.as_tensor(distance, dtype=column.vertices.dtype)
+    return _BufferMeasure.apply(measure, column.column, fill, column.vertices, distance)
+
+
+def buffer_area(column, distance, *, fill="even_odd"):
+    """The area of polygons grown or shrunk by a distance, or of the surroundings of polylines, arcs exact: see
+    :func:`geograd.buffer_area`. It has derivatives of both orders by the vertices of the column and by the
+    distance."""
+    return _buffer_measure(geograd.buffer_area, column, distance, fill)
+
+
+def buffer_perimeter(column, distance, *, fill="even_odd"):
+    """The perimeter of polygons grown or shrunk by a distance, or of the surroundings of polylines, arcs exact: see
+    :func:`geograd.buffer_perimeter`. It has derivatives of both orders by the vertices of the column and by the
+    distance."""
+    return _buffer_measure(geograd.buffer_perimeter, column, distance, fill)
 
 
 OVERLAYS = {name: Overlay(name) for name in _polygons.OVERLAYS}

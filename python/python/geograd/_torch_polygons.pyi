@@ -59,8 +59,14 @@ def buffer(
     end: Literal["round", "flat", "square"] = ..., chords: int = ..., tolerance: float = ..., fill: Fill = ..., valid: bool = ...,
 ) -> Polygons:
     """Polygons grown or shrunk by a distance, or the surroundings of polylines: differentiable by vertices and distance."""
+def buffer_area(column: Any, distance: Union[float, torch.Tensor], *, fill: Fill = ...) -> torch.Tensor:
+    """The area of polygons grown or shrunk by a distance, or of the surroundings of polylines, arcs exact."""
+def buffer_perimeter(column: Any, distance: Union[float, torch.Tensor], *, fill: Fill = ...) -> torch.Tensor:
+    """The perimeter of polygons grown or shrunk by a distance, or of the surroundings of polylines, arcs exact."""
 
 difference: _Overlay
 intersection: _Overlay
+minkowski_sum: _Overlay
+no_fit_polygon: _Overlay
 symmetric_difference: _Overlay
 union: _Overlay

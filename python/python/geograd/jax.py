@@ -29,14 +29,14 @@ import geograd
 from geograd import _jax, _nodes
 from geograd._function import Function, reduced
 from geograd._jax_columns import Clouds, Paths, Polygons, Polylines, Rings, contains, union_area
-from geograd._jax_overlays import PolygonBuffer, difference, intersection, symmetric_difference, union
+from geograd._jax_overlays import PolygonBuffer, difference, intersection, minkowski_sum, no_fit_polygon, symmetric_difference, union
 from geograd._jax_verbs import *  # noqa: F403
 from geograd._jax_verbs import __all__ as _VERBS, Verb
 
 __all__ = [
     "function", "loss", "iou_loss", "giou_loss", "diou_loss", "ciou_loss", "eiou_loss", "probiou_loss", "kfiou_loss", "gwd_loss",
     "kld_loss", "Clouds", "Paths", "PolygonBuffer", "Polygons", "Polylines", "Rings", "Verb", "contains", "difference",
-    "intersection", "symmetric_difference", "union", "union_area", *_VERBS,
+    "intersection", "minkowski_sum", "no_fit_polygon", "symmetric_difference", "union", "union_area", *_VERBS,
 ]
 
 Reduction = Literal["mean", "sum", "none"]

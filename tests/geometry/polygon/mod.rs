@@ -12,6 +12,8 @@ mod cut;
 pub mod exact;
 mod iou;
 mod leashes;
+#[cfg(feature = "boolean")]
+mod minkowski;
 mod nearest_edges;
 #[cfg(feature = "boolean")]
 mod offset_peers;
@@ -20,6 +22,8 @@ mod offsets;
 mod overlap;
 mod published;
 mod rings;
+#[cfg(feature = "boolean")]
+mod round_offsets;
 pub mod scanline;
 mod shapes;
 #[cfg(feature = "boolean")]
@@ -27,3 +31,5 @@ mod simple;
 mod triangulations;
 #[cfg(feature = "boolean")]
 mod valid;
+#[cfg(feature = "boolean")]
+mod walked_unions;
