@@ -43,8 +43,12 @@ pub(super) fn first_faces<T: Real, V: Eights>(
     }
 }
 
-/// Visits the faces that may be near a solid.
+/// Visits the faces that may be near a solid. Kernels of a table are of a format, which this one does not read.
 #[inline(always)]
+#[expect(
+    clippy::extra_unused_type_parameters,
+    reason = "a table has a kernel for every format"
+)]
 pub(super) fn visit_faces<T: Real, V: Eights>(
     tree: &MeshTree,
     bounds: &SolidBounds,
@@ -55,8 +59,12 @@ pub(super) fn visit_faces<T: Real, V: Eights>(
     mesh::visit_faces::<V::Eight>(tree, bounds, start, room, visit);
 }
 
-/// Visits the faces of two meshes that may be near each other.
+/// Visits the faces of two meshes that may be near each other, in a kernel of any format.
 #[inline(always)]
+#[expect(
+    clippy::extra_unused_type_parameters,
+    reason = "a table has a kernel for every format"
+)]
 pub(super) fn visit_pairs<T: Real, V: Eights>(
     trees: [&MeshTree; 2],
     pose: &Pose3<f64>,

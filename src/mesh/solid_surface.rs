@@ -103,7 +103,7 @@ pub(crate) fn faces_within<S: Scalar<Mask = bool>>(
     only: Option<usize>,
 ) -> Vec<u32> {
     let (bounds, mut found) = (solid.bounds(), Vec::new());
-    if !bounds.is_finite() || !(most >= 0.0) {
+    if !bounds.is_finite() || most.is_nan() || most < 0.0 {
         return found;
     }
     let (mesh, measure) = (surface.mesh(), solid.measure());

@@ -48,7 +48,7 @@ fn star_of_triangles(dice: &mut Dice, middle: Vec2<f64>, size: f64) -> (Polygon<
     let next = |k: usize| (k + 1) % n;
     if dice.below(2) == 0 {
         let fan = (0..n).map(|k| [middle, outer[k], outer[next(k)]]);
-        return (made(&[outer.clone()]), fan.collect());
+        return (made(std::slice::from_ref(&outer)), fan.collect());
     }
     let inner: Vec<_> = outer
         .iter()

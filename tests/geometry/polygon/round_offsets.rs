@@ -125,7 +125,7 @@ fn polygons_have_closed_forms() {
 fn paths_have_closed_forms() {
     let segment = ring(&[(1., 1.), (4., 5.)]);
     path_measures(
-        &made(&[segment.clone()]),
+        &made(std::slice::from_ref(&segment)),
         1.5,
         15.0 + PI * 2.25,
         10.0 + 3.0 * PI,
@@ -351,7 +351,7 @@ fn duals_of_the_adjoint_are_second_derivatives() {
                     };
                     let (_, by_d) = round_offset_vjp(&p, d, &trace, bar, &mut bars);
                     let of_vertex = |k: usize| {
-                        if k % 2 == 0 {
+                        if k.is_multiple_of(2) {
                             bars[k / 2].x
                         } else {
                             bars[k / 2].y
@@ -366,9 +366,9 @@ fn duals_of_the_adjoint_are_second_derivatives() {
                 .iter()
                 .flatten()
                 .fold(1.0_f64, |m, x| m.max(x.abs()));
-            for i in 0..n {
-                for j in 0..i {
-                    let (one, other) = (hessian[i][j], hessian[j][i]);
+            for (i, row) in hessian.iter().enumerate() {
+                for (j, other) in hessian[..i].iter().enumerate() {
+                    let (one, other) = (row[j], other[i]);
                     assert!((one - other).abs() < 1e-8 * size, "{one} {other} {size}");
                 }
             }
