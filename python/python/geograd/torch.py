@@ -30,6 +30,7 @@ from geograd._losses import (
 )
 from geograd._torch_cells import CellMeasures, cells
 from geograd._torch_cloud import Cloud
+from geograd._torch_curves import CurvePath
 from geograd._torch_mesh import Mesh
 from geograd._torch_polygons import (
     Clouds, Paths, Polygons, Polylines, Rings, buffer, buffer_area, buffer_perimeter, contains, difference, intersection, minkowski_sum, no_fit_polygon,
@@ -40,7 +41,7 @@ from geograd._torch_verbs import __all__ as _VERBS, Verb
 
 __all__ = [
     "check", "function", "Loss", "IoULoss", "GIoULoss", "DIoULoss", "CIoULoss", "EIoULoss", "ProbIoULoss", "KFIoULoss",
-    "GWDLoss", "KLDLoss", "CellMeasures", "Cloud", "Clouds", "Mesh", "Paths", "Polygons", "Polylines", "Rings", "Verb", "buffer", "buffer_area", "buffer_perimeter", "cells", "contains",
+    "GWDLoss", "KLDLoss", "CellMeasures", "Cloud", "Clouds", "CurvePath", "Mesh", "Paths", "Polygons", "Polylines", "Rings", "Verb", "buffer", "buffer_area", "buffer_perimeter", "cells", "contains",
     "difference", "intersection", "minkowski_sum", "no_fit_polygon", "symmetric_difference", "union", "union_area", *_VERBS,
 ]
 

@@ -1,0 +1,66 @@
+"""Results that the library computes on the host, as functions of JAX's arrays with first derivatives backwards."""
+
+from __future__ import annotations
+
+from typing import Any, Callable, Sequence, Tuple
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+Array = Any
+
+
+def floats(*arrays: Array) -> Tuple[Array, ...]:
+    """Arrays in one format of floats."""
+    xs = tuple(jnp.asarray(x) for x in arrays)
+    dtype = jnp.result_type(*xs)
+    dtype = dtype if jnp.issubdtype(dtype, jnp.floating) else jnp.result_type(float)
+    return tuple(x.astype(dtype) for x in xs)
+
+
+def hosted(
+    xs: Tuple[Array, ...],
+    shapes: Sequence[Tuple[int, ...]],
+    value: Callable[..., Any],
+    *,
+    records: Tuple[int, ...] = (0,),
+    search: Callable[..., Any] = lambda *_: np.zeros(0),
+) -> Tuple[Array, ...]:
+    """Results of some shapes with first derivatives by arrays, and the record of the search for them.
+
+    ``search`` gives whole numbers of the shape ``records``. ``value`` gives the list of results of them; with a list of their cotangents,
+    those of all arrays. Both get arrays of NumPy in float64.
+    """
+    dtype = xs[0].dtype
+    into = tuple(jax.ShapeDtypeStruct(x.shape, dtype) for x in xs)
+    outs = *(jax.ShapeDtypeStruct(shape, dtype) for shape in shapes), jax.ShapeDtypeStruct(records, jnp.int32)
+
+    def wide(xs: Any) -> Any:
+        return [np.ascontiguousarray(x, np.float64) for x in xs]
+
+    def found(*xs: Any) -> Any:
+        xs = wide(xs)
+        record = np.asarray(search(*xs), np.int64).reshape(records)
+        made = value(*xs, record, None)
+        return *(np.asarray(own, dtype).reshape(shape) for own, shape in zip(made, shapes)), record.astype(np.int32)
+
+    def back(record: Any, bars: Any, *xs: Any) -> Any:
+        parts = value(*wide(xs), np.ascontiguousarray(record, np.int64), wide(bars))
+        return tuple(np.asarray(part, dtype).reshape(x.shape) for part, x in zip(parts, xs))
+
+    def forward(*xs: Array) -> Any:
+        return jax.pure_callback(found, outs, *xs, vmap_method="sequential")
+
+    def ahead(*xs: Array) -> Any:
+        made = forward(*xs)
+        return made, (made[-1], xs)
+
+    def backward(kept: Any, bars: Any) -> Any:
+        record, xs = kept
+        return jax.pure_callback(back, into, record, tuple(bars[:-1]), *xs, vmap_method="sequential")
+
+    call = jax.custom_vjp(forward)
+    call.defvjp(ahead, backward)
+    made: Tuple[Array, ...] = call(*xs)
+    return made
