@@ -67,10 +67,20 @@ fn takes_all() -> bool {
     std::env::var("GEOGRAD_ALL_ROWS").is_ok_and(|x| x == "1")
 }
 
-/// A slow test runs for one of so many commits.
-const TURN: u64 = 3;
+/// Runs with so many threads of rayon.
+///
+/// # Panics
+///
+/// If the threads cannot be started.
+pub fn with_threads<R: Send>(threads: usize, run: impl FnOnce() -> R + Send) -> R {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    pool.unwrap().install(run)
+}
 
-/// Returns `true` if a slow test takes its turn: for a third of all texts in the variable `GEOGRAD_SHARE`, such as names
+/// A slow test runs for one of so many commits.
+const TURN: u64 = 6;
+
+/// Returns `true` if a slow test takes its turn: for a sixth of all texts in the variable `GEOGRAD_SHARE`, such as names
 /// of commits, and always with `GEOGRAD_ALL_ROWS=1`.
 #[must_use]
 pub fn is_due(test: &str) -> bool {

@@ -35,8 +35,8 @@ pub fn rows() -> Vec<&'static Tested> {
     }
 }
 
-/// Rows that a slow test judges, of these: one of every verb, rows that are wanted always, and a share that the variable
-/// `GEOGRAD_SHARE` selects, such as the name of a commit. All of them with `GEOGRAD_ALL_ROWS=1`, or if `GEOGRAD_OP` names
+/// Rows that a slow test judges, of these: one of every verb that is not costly, rows that are wanted always, and a share
+/// that the variable `GEOGRAD_SHARE` selects, such as the name of a commit. All of them with `GEOGRAD_ALL_ROWS=1`, or if `GEOGRAD_OP` names
 /// some.
 ///
 /// A row is selected by its name, so that a new one changes nothing but its own verb's.
@@ -90,7 +90,11 @@ pub fn selected(
             .collect()
     });
     let mut first: HashMap<&str, &'static str> = HashMap::new();
-    for &name in &names {
+    static COSTLY: LazyLock<HashSet<&'static str>> = LazyLock::new(|| {
+        let costly = tested::rows().iter().filter(|row| row.operation.costly);
+        costly.map(|row| row.name()).collect()
+    });
+    for &name in names.iter().filter(|name| !COSTLY.contains(*name)) {
         let least = first.entry(&VERBS[name]).or_insert(name);
         if hash("", name) < hash("", least) {
             *least = name;
@@ -127,7 +131,7 @@ pub const COMPILED: [&str; 18] = [
 ];
 
 /// A share is one row of so many.
-const SHARE: u64 = 12;
+const SHARE: u64 = 24;
 
 /// The rows that the harness checks.
 #[must_use]

@@ -6,10 +6,10 @@ use geograd::kernels::cpu::simd::Simd;
 use geograd::kernels::fold::fold;
 use geograd::kernels::reduce::Matrix;
 use geograd::{Aabb2, Aabb3, Obb2, Obb3, Pack, Rotation3, Scalar, Vec2, Vec3, YawBox3};
-use geograd_tests::Dice;
 use geograd_tests::calls::OfRings;
 use geograd_tests::calls::{self, Number, Pair, wide};
 use geograd_tests::rows::ring;
+use geograd_tests::{Dice, with_threads};
 use std::ops::Range;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -44,11 +44,6 @@ fn in_every_way(mut run: impl FnMut(&str)) {
             run(&format!("{level:?}, filter {filter}"));
         }
     }
-}
-
-pub fn on_threads<R: Send>(threads: usize, run: impl FnOnce() -> R + Send) -> R {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-    pool.unwrap().install(run)
 }
 
 fn bits_of<'a, X: Pack + 'a>(shapes: impl IntoIterator<Item = &'a X>) -> Vec<u64>
@@ -348,7 +343,7 @@ where
             };
             ways += 1;
             for &threads in counts {
-                let here = on_threads(threads, || results::<O, T>(a, b));
+                let here = with_threads(threads, || results::<O, T>(a, b));
                 let first = expected.get_or_insert_with(|| here.clone());
                 assert!(
                     here == *first,
@@ -406,7 +401,7 @@ fn rings<O: OfRings<T>, T: Number>(
     }
     in_every_way(|way| {
         for threads in [1, 3] {
-            let (values, derivatives) = on_threads(threads, || {
+            let (values, derivatives) = with_threads(threads, || {
                 let values = calls::ragged::<O, T>(&vertices, &offsets).unwrap();
                 let bars = calls::ragged_vjp::<O, T>(&vertices, &offsets, &values).unwrap();
                 (values, bars)

@@ -2,12 +2,11 @@
 //!
 //! Lists end where their allocation ends and start beside its alignment. Their lengths leave a tail of a tile. The tests
 //! leave the level of instructions as it is, so that `GEOGRAD_SIMD` chooses it.
-use super::bits::{Drawn, MILD, Turn, far_apart, list, on_threads, results};
+use super::bits::{Drawn, MILD, Turn, far_apart, list, results};
 use geograd::kernels::cpu::polygons::{RingList, RingScore};
 use geograd::kernels::cpu::simd::Simd;
 use geograd::kernels::{Cpu, Op};
 use geograd::{Obb2, Vec2};
-use geograd_tests::Dice;
 use geograd_tests::calls::OfRings;
 use geograd_tests::calls::{self, Number, Pair};
 use geograd_tests::rows::ring::{Centroid, Perimeter, SignedArea};
@@ -15,6 +14,7 @@ use geograd_tests::rows::{
     DiouObb2, GiouObb2, IntersectionAreaQuads, IofObb2, IouAabb2, IouObb2, IouObb3, IouYaw,
     SignedDistancePointRing,
 };
+use geograd_tests::{Dice, with_threads};
 
 /// Alone, at the level that the environment asks for.
 fn alone() -> Turn {
@@ -114,7 +114,7 @@ macro_rules! boxes {
         #[test]
         fn $name() {
             let _turn = alone();
-            on_threads(1, || {
+            with_threads(1, || {
                 pairs::<$op, f32>();
                 pairs::<$op, f64>();
             });
@@ -133,7 +133,7 @@ boxes! {
 #[test]
 fn all_else() {
     let _turn = alone();
-    on_threads(1, || {
+    with_threads(1, || {
         others::<f32>();
         others::<f64>();
     });

@@ -264,6 +264,9 @@ fn reach<S: Scalar>(a: Capsule3<S>, b: Obb3<S>, q: S) -> S {
 /// Few items run interpreted, many become machine code.
 #[test]
 fn a_nan_inside_a_function_of_ones_own_is_nan_of_its_item() {
+    if !geograd_tests::is_due("a_nan_inside_a_function_of_ones_own_is_nan_of_its_item") {
+        return;
+    }
     macro_rules! judge {
         ($S:ty: $($function:ident $A:ident $B:ident)*) => { $( for count in [3, 4000] {
             let [a, far] = <$A<$S> as Numbers>::NUMBERS.map(|x| x.iter().map(|&x| x as $S).collect::<Vec<_>>());

@@ -32,6 +32,9 @@ fn the_oracle_agrees_with_counted_points() {
 
 #[test]
 fn volumes_are_exact_in_double_precision() {
+    if !geograd_tests::is_due("volumes_are_exact_in_double_precision") {
+        return;
+    }
     for family in FAMILIES {
         let (mut random, mut worst) = (Random(11), (0.0, None));
         for _ in 0..60 {
@@ -60,6 +63,9 @@ fn volumes_are_exact_in_double_precision() {
 
 #[test]
 fn volumes_are_right_in_single_precision() {
+    if !geograd_tests::is_due("volumes_are_right_in_single_precision") {
+        return;
+    }
     for family in FAMILIES {
         let (mut random, mut worst) = (Random(12), (0.0, None));
         for _ in 0..60 {

@@ -304,6 +304,9 @@ fn rigid_motions_change_nothing_and_scale_scales() {
 
 #[test]
 fn single_precision_is_right_at_every_size_and_far_from_the_origin() {
+    if !geograd_tests::is_due("single_precision_is_right_at_every_size_and_far_from_the_origin") {
+        return;
+    }
     pairs(40, |dice, i, j| {
         if [1, 2].contains(&i) || [1, 2].contains(&j) {
             return;

@@ -6,6 +6,7 @@ use geograd::kernels::{Area, Backend, Cpu, Distance, Indexed, Iou, Volume, funct
 use geograd::{
     Obb2, Pack, Scalar, Segment2, Segment3, Sphere, Tetrahedron, Triangle2, Triangle3, Vec2, Vec3,
 };
+use geograd_tests::with_threads;
 
 #[test]
 fn columns_by_indices_have_the_bits_of_their_items() {
@@ -143,11 +144,7 @@ fn threads_change_no_bit_of_gathered_cotangents() {
         .map(|_| random.within(-1.0, 1.0))
         .collect();
     let run = |threads: usize| {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .unwrap();
-        pool.install(|| {
+        with_threads(threads, || {
             let column = Indexed::new(&owned.vertices, &owned.faces).unwrap();
             let by_face = Cpu::new().aligned(Area.vjp(), (column, &up)).unwrap();
             let bars = column.gathered(&by_face).unwrap();

@@ -7,6 +7,7 @@ use geograd::kernels::cpu::mesh_batches::MeshDistance;
 use geograd::kernels::cpu::simd::Simd;
 use geograd::mesh::{ClosedMesh, FaceFeature, FaceRecord, Mesh, MeshTree};
 use geograd::{Ray3, Vec3};
+use geograd_tests::with_threads;
 
 fn bits(v: Vec3<f64>) -> [u64; 3] {
     [v.x.to_bits(), v.y.to_bits(), v.z.to_bits()]
@@ -14,6 +15,9 @@ fn bits(v: Vec3<f64>) -> [u64; 3] {
 
 #[test]
 fn batches_have_the_bits_of_single_queries() {
+    if !geograd_tests::is_due("batches_have_the_bits_of_single_queries") {
+        return;
+    }
     let (cpu, mut random) = (Cpu::new(), Random(0xba7c_5eed_0000_0001));
     for owned in all() {
         let mesh = owned.mesh();
@@ -120,11 +124,7 @@ fn threads_change_no_bit() {
         .collect();
     let upstream: Vec<_> = points.iter().map(|_| random.vector(1.0)).collect();
     let run = |threads: usize| {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .unwrap();
-        pool.install(|| {
+        with_threads(threads, || {
             let cpu = Cpu::new();
             let records = cpu.nearest_faces(&surface, &points).unwrap();
             let bars = cpu.closest_points_vjp(&surface, &points, &records, &upstream);

@@ -5,6 +5,7 @@ use geograd::kernels::Cpu;
 use geograd::kernels::cpu::mesh_batches::{MeshBars, MeshDistance};
 use geograd::mesh::{ClosedMesh, Mesh, MeshBorder, MeshFault, MeshTree, WoundSurface, solid_angle};
 use geograd::{Jet, Scalar, Triangle3, Vec3, hessian};
+use geograd_tests::with_threads;
 use std::f64::consts::PI;
 
 /// A mesh, its tree and its border.
@@ -105,6 +106,9 @@ fn numbers_are_the_sums_over_all_faces() {
 /// Faces at random on a grid: points and borders in one line along all axes, faces seen edge-on, repeated, crossing.
 #[test]
 fn numbers_on_a_grid_are_the_sums_over_all_faces() {
+    if !geograd_tests::is_due("numbers_on_a_grid_are_the_sums_over_all_faces") {
+        return;
+    }
     let mut random = Random(0x0a11_5eed_0000_0003);
     let mut on_faces = 0;
     for _ in 0..3000 {
@@ -177,6 +181,9 @@ fn holed() -> Owned {
 
 #[test]
 fn derivatives_up_to_the_second_are_those_of_all_faces() {
+    if !geograd_tests::is_due("derivatives_up_to_the_second_are_those_of_all_faces") {
+        return;
+    }
     let (owned, mut random) = (holed(), Random(0x0a11_5eed_0000_0004));
     let border = MeshBorder::new(&owned.mesh());
     for _ in 0..20 {
@@ -300,17 +307,16 @@ fn cotangents_are_those_of_differences() {
 
 #[test]
 fn batches_have_the_bits_of_one_point_and_of_any_threads() {
+    if !geograd_tests::is_due("batches_have_the_bits_of_one_point_and_of_any_threads") {
+        return;
+    }
     let (owned, mut random) = (holed(), Random(0x0a11_5eed_0000_0006));
     let own = Wound::new(&owned.vertices, &owned.faces);
     let wound = own.of();
     let points: Vec<_> = (0..3000).map(|_| random.vector(1.5)).collect();
     let by: Vec<_> = points.iter().map(|_| random.within(-1.0, 1.0)).collect();
     let run = |threads: usize| {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .unwrap();
-        pool.install(|| {
+        with_threads(threads, || {
             (
                 Cpu::new().winding_numbers(&wound, &points).unwrap(),
                 bars_of(&wound, &points, &by),

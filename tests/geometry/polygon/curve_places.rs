@@ -147,6 +147,9 @@ fn turned(ring: &[Vec2<f64>], q: Vec2<f64>) -> f64 {
 
 #[test]
 fn winding_numbers_are_those_of_fine_chords() {
+    if !geograd_tests::is_due("winding_numbers_are_those_of_fine_chords") {
+        return;
+    }
     let mut dice = Dice(9);
     let (mut counts, mut tried) = ([0; 3], 0);
     for round in 0..400 {
@@ -319,6 +322,9 @@ fn spot<S: Scalar<Mask = bool>>((piece, q): (CurvePiece<S>, Vec2<S>)) -> S {
 
 #[test]
 fn derivatives_of_both_orders_are_those_of_differences() {
+    if !geograd_tests::is_due("derivatives_of_both_orders_are_those_of_differences") {
+        return;
+    }
     let at_plane = |x, y| at(x, y);
     let pieces: [CurvePiece<f64>; 7] = [
         Quadratic2::new(at_plane(0.1, 0.0), at(1.0, 2.0), at(2.0, -0.3)).into(),

@@ -181,6 +181,9 @@ fn place([x, y]: [i128; 2]) -> Vec2<f64> {
 
 #[test]
 fn lengths_are_those_of_dense_chords() {
+    if !geograd_tests::is_due("lengths_are_those_of_dense_chords") {
+        return;
+    }
     let mut dice = Dice(2);
     for round in 0..1500 {
         let piece = drawn(&mut dice, round);
@@ -237,6 +240,9 @@ fn both_ways_to_a_length_agree() {
 
 #[test]
 fn bounds_hold_the_curve_and_touch_it() {
+    if !geograd_tests::is_due("bounds_hold_the_curve_and_touch_it") {
+        return;
+    }
     let mut dice = Dice(3);
     for round in 0..1500 {
         let piece = drawn(&mut dice, round);

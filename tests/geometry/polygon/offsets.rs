@@ -392,6 +392,9 @@ fn convex_rings_obey_steiner_and_rests_add_up() {
 
 #[test]
 fn results_of_hard_input_are_valid() {
+    if !geograd_tests::is_due("results_of_hard_input_are_valid") {
+        return;
+    }
     let mut dice = Dice(52);
     let mut all = hard_rings();
     for _ in 0..60 {

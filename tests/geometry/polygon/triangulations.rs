@@ -126,6 +126,9 @@ fn search(all: &[Spot]) -> Delaunay {
 
 #[test]
 fn circles_are_empty_in_whole_numbers() {
+    if !geograd_tests::is_due("circles_are_empty_in_whole_numbers") {
+        return;
+    }
     let mut dice = Dice(1);
     for round in 0..3000 {
         let (count, side) = (dice.below(40), [2, 3, 5, 9, 1000, 1 << 26][round % 6]);

@@ -47,6 +47,9 @@ fn measures(rings: &Polygon<f64>, other: &Polygon<f64>, fill: Fill) -> (Vec<f64>
 
 #[test]
 fn walks_give_what_overlays_give() {
+    if !geograd_tests::is_due("walks_give_what_overlays_give") {
+        return;
+    }
     let mut dice = Dice(180);
     let far = made(&[ring(&[(20., 0.), (21., 0.), (21., 1.), (20., 1.)])]);
     let nothing = Polygon::new();
