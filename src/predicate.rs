@@ -49,6 +49,13 @@ pub(crate) fn wide<S: Scalar<Mask = bool>>(p: Vec2<S>) -> Option<[f64; 2]> {
     Some([widened(p.x)?, widened(p.y)?])
 }
 
+/// Returns a point as `f64`, exactly; the origin for a scalar without plain numbers.
+#[inline(always)]
+pub(crate) fn wide_place<S: Scalar<Mask = bool>>(p: Vec2<S>) -> Vec2<f64> {
+    let [x, y] = wide(p).unwrap_or([0.0; 2]);
+    Vec2::new(x, y)
+}
+
 /// Returns the turn of the path `a → b → c`: the sign of `(b − a) × (c − a)`, exactly.
 ///
 /// ```

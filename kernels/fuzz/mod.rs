@@ -134,10 +134,7 @@ where
     fuzzed_in::<T>()(&Job::of_op::<O>(), count, seed)
 }
 
-/// The share of inputs that a costly operation takes.
-const COSTLY: u64 = 256;
-
-/// Fuzzes an operation with a search; a costly one at a 256th of the inputs.
+/// Fuzzes an operation with a search.
 #[must_use]
 pub fn decided<D: HintedSearch, T: Real>(count: u64, seed: u64) -> Fuzzed
 where
@@ -145,10 +142,6 @@ where
     D::Out<T>: Item<Scalar = T>,
     D::In<f64>: Sample + Item<Scalar = f64>,
 {
-    let count = match D::DECLARED.costly {
-        true => count.div_ceil(COSTLY),
-        false => count,
-    };
     fuzzed_in::<T>()(&Job::of_search::<D>(), count, seed)
 }
 
@@ -172,10 +165,17 @@ pub(crate) fn format<T: Real>() -> &'static str {
     }
 }
 
-/// Runs chunks of inputs on all cores until `count` inputs are tested or one breaks a property. Every thread has its
-/// own lists.
+/// A costly operation takes one of so many inputs.
+const COSTLY: u64 = 256;
+
+/// Runs chunks of inputs on all cores until `count` inputs are tested, a share of them for a costly operation, or one
+/// breaks a property. Every thread has its own lists.
 pub(crate) fn run<T: Real>(job: &Job<T>, count: u64, seed: u64) -> Fuzzed {
     let start = Instant::now();
+    let count = match job.declared.costly {
+        true => count.div_ceil(COSTLY),
+        false => count,
+    };
     let [next, done, outside] = [0; 3].map(AtomicU64::new);
     let broken: Mutex<Option<(u64, Broken)>> = Mutex::new(None);
     let per_chunk = (CHUNK as u64).min(count.max(1));

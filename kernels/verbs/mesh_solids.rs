@@ -139,13 +139,7 @@ impl Cpu {
         faces: &[u32],
         upstream: &[T],
     ) -> Result<MeshBars<B, T>, Error> {
-        check_faces(surface, solids, faces)?;
-        expect(Argument::Upstream, solids.len(), upstream.len())?;
-        let corners = corners(surface.mesh(), faces.iter().copied());
-        let column = Indexed::unchecked(surface.mesh().vertices(), &corners);
-        let (by_face, queries) = self.aligned(B::distance_vjp(), ((column, solids), upstream))?;
-        let vertices = column.gathered(&by_face)?;
-        Ok(MeshBars { queries, vertices })
+        self.solid_bars(B::distance_vjp(), surface, (solids, faces), upstream)
     }
 
     /// Returns the nearest points of the mesh and each solid, along the records of a search.
@@ -177,13 +171,7 @@ impl Cpu {
         faces: &[u32],
         upstream: &[PointPair3<T>],
     ) -> Result<MeshBars<B, T>, Error> {
-        check_faces(surface, solids, faces)?;
-        expect(Argument::Upstream, solids.len(), upstream.len())?;
-        let corners = corners(surface.mesh(), faces.iter().copied());
-        let column = Indexed::unchecked(surface.mesh().vertices(), &corners);
-        let (by_face, queries) = self.aligned(B::closest_vjp(), ((column, solids), upstream))?;
-        let vertices = column.gathered(&by_face)?;
-        Ok(MeshBars { queries, vertices })
+        self.solid_bars(B::closest_vjp(), surface, (solids, faces), upstream)
     }
 
     /// Returns `true` for each solid that a face meets: see [`MeshSurface::is_touching`].
@@ -361,6 +349,23 @@ impl Cpu {
             let visit = kernels_in::<T>().visit_pairs;
             pairs_within(visit, [first, second], poses[i], most, None)
         }))
+    }
+
+    /// Returns the cotangents of solids and vertices by an adjoint.
+    fn solid_bars<T: Real + Single, B: SolidItem<T>, Y: Single<Scalar = T>>(
+        &self,
+        run: impl Function<((Triangle3<T>, B), Y), Out = (Triangle3<T>, B)>,
+        surface: &MeshSurface<'_, T>,
+        (solids, faces): (&[B], &[u32]),
+        upstream: &[Y],
+    ) -> Result<MeshBars<B, T>, Error> {
+        check_faces(surface, solids, faces)?;
+        expect(Argument::Upstream, solids.len(), upstream.len())?;
+        let corners = corners(surface.mesh(), faces.iter().copied());
+        let column = Indexed::unchecked(surface.mesh().vertices(), &corners);
+        let (by_face, queries) = self.aligned(run, ((column, solids), upstream))?;
+        let vertices = column.gathered(&by_face)?;
+        Ok(MeshBars { queries, vertices })
     }
 
     /// Returns the cotangents of poses and vertices by an adjoint.

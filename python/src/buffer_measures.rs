@@ -137,7 +137,7 @@ pub fn polygon_buffer_measures<'py>(
     )
 }
 
-/// What a run of items gives.
+/// The results of a run of items.
 struct Run<T> {
     areas: Vec<T>,
     perimeters: Vec<T>,

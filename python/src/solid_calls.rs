@@ -183,7 +183,7 @@ pub fn mesh_solid_points(
     })
 }
 
-/// Whether a face meets each solid.
+/// Returns `true` for each solid that a face meets.
 #[pyfunction]
 pub fn mesh_solid_touches(
     py: Python<'_>,
@@ -280,7 +280,7 @@ pub fn mesh_pair_points(
     points(py, &found)
 }
 
-/// Whether faces of two meshes meet at each pose.
+/// Returns `true` for each pose at which faces of two meshes meet.
 #[pyfunction]
 pub fn mesh_pair_meets(
     py: Python<'_>,

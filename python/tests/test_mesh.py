@@ -348,7 +348,7 @@ def test_distances_of_solids_are_the_least_of_all_faces(kind):
     items, within = mesh.faces_within(own, 0.7)
     expected = np.argwhere(every <= 0.7)
     assert (items == expected[:, 0]).all() and (within == expected[:, 1]).all() and len(items) > 5
-    # Of another leading shape.
+    # Solids in an array of two dimensions.
     assert (mesh.distance_to(getattr(geograd, kind)(rows.reshape(3, 4, -1))) == found.reshape(3, 4)).all()
 
 

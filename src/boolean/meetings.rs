@@ -191,7 +191,7 @@ impl GeneralRings {
         for k in 0..2 {
             let other = edges[1 - k].way;
             let height = cross.abs() / (other.x.abs() + other.y.abs());
-            // Who goes over from the left of the other edge to its right loses one turn.
+            // A way from the left of the other edge to its right loses one turn.
             let is_left = (cross > 0.0) == (k == 0);
             self.meetings.push(Meeting {
                 edge: edges[k].number,

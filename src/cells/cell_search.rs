@@ -3,7 +3,7 @@ use super::cell_cutting::{Cutter, Ring};
 use super::cell_domain::Domain;
 use super::site_tree::{Site, SiteTree, Waiting};
 use super::{CellTrace, PowerDiagram};
-use crate::predicate::wide;
+use crate::predicate::{wide, wide_place};
 use crate::{Polygon, Scalar, Vec2};
 
 /// Returns the first site at each one's place with its weight, and the sites that have cells of their own.
@@ -49,8 +49,7 @@ impl<S: Scalar<Mask = bool>> PowerDiagram<'_, S> {
             .collect();
         let mut rings = Polygon::default();
         for ring in self.domain.iter() {
-            let places = ring.iter().map(|v| wide(*v).unwrap_or([0.0; 2]));
-            rings.push(places.map(|[x, y]| Vec2::new(x, y)));
+            rings.push(ring.iter().map(|&v| wide_place(v)));
         }
         searched(&sites, &Domain::new(&rings))
     }

@@ -5,7 +5,7 @@ use crate::boolean::{BooleanOperation, Owner, overlay_search, valid_search};
 use crate::error::{Argument, Error, Field, Flaw};
 use crate::offset::united;
 use crate::polygon::{Fill, Polygon, Rings};
-use crate::predicate::{Turn, turn_between, wide};
+use crate::predicate::{Turn, turn_between, wide_place};
 use crate::{Scalar, Vec2};
 use std::collections::HashMap;
 
@@ -31,8 +31,7 @@ impl SumRing {
 /// be around a hole.
 fn rings<S: Scalar<Mask = bool>>(polygon: &Polygon<S>, is_mirrored: bool) -> Vec<SumRing> {
     let place = |v: Vec2<S>| {
-        let [x, y] = wide(v).unwrap_or([0.0; 2]);
-        let at = Vec2::new(x, y);
+        let at = wide_place(v);
         // Without negative zeros.
         Vec2::zero() + if is_mirrored { -at } else { at }
     };

@@ -47,7 +47,10 @@ impl EdgeCells {
         let cells = grid.counts[0] * grid.counts[1];
         let mut starts = vec![0_u32; cells + 1];
         for edge in edges {
-            grid.each_cell(*edge, 0.0, |cell| starts[cell + 1] += 1);
+            grid.any_cell(*edge, 0.0, |cell| {
+                starts[cell + 1] += 1;
+                false
+            });
         }
         for k in 0..cells {
             starts[k + 1] += starts[k];
@@ -55,9 +58,10 @@ impl EdgeCells {
         let mut next = starts.clone();
         let mut entries = vec![0; starts[cells] as usize];
         for (k, edge) in (0..).zip(edges) {
-            grid.each_cell(*edge, 0.0, |cell| {
+            grid.any_cell(*edge, 0.0, |cell| {
                 entries[next[cell] as usize] = k;
                 next[cell] += 1;
+                false
             });
         }
         (grid.starts, grid.entries) = (starts, entries);
@@ -79,28 +83,23 @@ impl EdgeCells {
             axis(p.y, q.y, self.low.y, self.counts[1]),
         ]
     }
-    fn each_cell(&self, corners: [Vec2<f64>; 2], reach: f64, mut f: impl FnMut(usize)) {
+    /// Calls a function with each cell that a box meets, whose sides are moved out by a reach, until it returns `true`.
+    #[inline(always)]
+    fn any_cell(
+        &self,
+        corners: [Vec2<f64>; 2],
+        reach: f64,
+        mut f: impl FnMut(usize) -> bool,
+    ) -> bool {
         let [x, y] = self.cells(corners, reach);
-        for row in y[0]..=y[1] {
-            for column in x[0]..=x[1] {
-                f(row * self.counts[0] + column);
-            }
-        }
+        (y[0]..=y[1]).any(|row| (x[0]..=x[1]).any(|column| f(row * self.counts[0] + column)))
     }
     /// Calls a function with the edges of each cell that a box meets, whose sides are moved out by a reach, until it returns
     /// `true`. An edge may come several times.
     pub fn near(&self, corners: [Vec2<f64>; 2], reach: f64, mut f: impl FnMut(u32) -> bool) {
-        let [x, y] = self.cells(corners, reach);
-        for row in y[0]..=y[1] {
-            for column in x[0]..=x[1] {
-                let cell = row * self.counts[0] + column;
-                let [from, to] = [self.starts[cell], self.starts[cell + 1]].map(|k| k as usize);
-                for &k in &self.entries[from..to] {
-                    if f(k) {
-                        return;
-                    }
-                }
-            }
-        }
+        self.any_cell(corners, reach, |cell| {
+            let [from, to] = [self.starts[cell], self.starts[cell + 1]].map(|k| k as usize);
+            self.entries[from..to].iter().any(|&k| f(k))
+        });
     }
 }

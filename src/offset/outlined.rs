@@ -9,7 +9,7 @@ use crate::boolean::{
 };
 use crate::error::{Argument, Error, Field, Flaw, VertexFault};
 use crate::polygon::{self, Polygon, Rings};
-use crate::predicate::wide;
+use crate::predicate::{wide, wide_place};
 use crate::{Scalar, Vec2};
 
 /// The kind of an input.
@@ -125,11 +125,8 @@ fn laid<S: Scalar<Mask = bool>>(
         plan: Plan::default(),
     };
     let polygon = laid.polygon(rings);
-    let place = |v: &Vec2<S>| {
-        let [x, y] = wide(*v).unwrap_or([0.0; 2]);
-        Vec2::new(x, y)
-    };
-    let places: Vec<_> = polygon.vertices().iter().map(place).collect();
+    let vertices = polygon.vertices().iter();
+    let places: Vec<_> = vertices.map(|&v| wide_place(v)).collect();
     let own = Rings::flat(&places, polygon.ends());
     laid.plan = match subject {
         Subject::Polygon => polygon_plan(own, distance, style),

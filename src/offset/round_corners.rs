@@ -4,7 +4,7 @@ use crate::Vec2;
 use crate::polygon::Rings;
 use crate::predicate::{Turn, turn_between};
 
-/// What joins an end of a side to its neighbour.
+/// The joint of an end of a side with its neighbour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Joint {
     /// Nothing: another side cuts it off.

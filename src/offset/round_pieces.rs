@@ -1,4 +1,4 @@
-//! What is left of each side and each arc once the capsules over all other edges are taken away.
+//! The rest of each side and each arc, less the capsules over all other edges.
 //!
 //! The border of all within a radius of a polygon is the raw offset less the inside of the capsules over the other edges:
 //! the way from a moved point back to its edge leaves the polygon through an edge that is nearer than the radius. Curves

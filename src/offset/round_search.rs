@@ -8,9 +8,10 @@ use super::{
     Chords, End, Join, OffsetMeasures, OffsetStyle, RoundOffsetTrace, offset_search,
     path_offset_search, round_offset_replay,
 };
+use crate::Scalar;
 use crate::error::Error;
 use crate::polygon::{Polygon, Rings};
-use crate::{Scalar, Vec2};
+use crate::predicate::wide_place;
 
 /// The relative change of the distance by which a search decides, so that several events at one distance are apart: 2⁻⁴⁰.
 /// Parallel sides that meet are gone.
@@ -54,10 +55,7 @@ fn searched<S: Scalar<Mask = bool>>(
     let polygon = before.polygon(rings);
     let mut own = Polygon::new();
     for ring in polygon.rings().iter() {
-        own.push(ring.iter().map(|v| {
-            let [x, y] = crate::predicate::wide(*v).unwrap_or([0.0; 2]);
-            Vec2::new(x, y)
-        }));
+        own.push(ring.iter().map(|&v| wide_place(v)));
     }
     let is_path = subject == Subject::Paths;
     if let Some(all) = pieces(&own, distance, is_path) {
