@@ -59,7 +59,9 @@ pub struct MeshTree {
     frame: TreeFrame,
     nodes: Vec<TreeNode>,
     packets: Vec<Packet>,
-    /// The faces of each packet; a missing one repeats the last.
+    /// The lowest face below each node.
+    lowest: Vec<u32>,
+    /// The faces of each packet, in order; a missing one repeats the last.
     faces: Vec<[u32; 8]>,
     /// The number of vertices and of faces that it was built over.
     counts: [usize; 2],
@@ -80,6 +82,7 @@ impl MeshTree {
             frame,
             nodes: Vec::new(),
             packets: Vec::new(),
+            lowest: Vec::new(),
             faces: Vec::new(),
             counts: [mesh.vertices().len(), mesh.faces().len()],
         };
@@ -92,6 +95,7 @@ impl MeshTree {
     /// Adds a node over some faces and all below it; returns its number.
     fn grow(&mut self, order: &mut [u32], bounds: &[Bounds], depth: usize) -> u32 {
         let own = self.nodes.len();
+        self.lowest.push(u32::MAX);
         self.nodes.push(TreeNode {
             low: [[f32::INFINITY; 8]; 3],
             high: [[f32::NEG_INFINITY; 8]; 3],
@@ -101,11 +105,13 @@ impl MeshTree {
             let items = &mut order[start..end];
             self.nodes[own].children[k] = if items.len() <= 8 {
                 let last = items.len() - 1;
+                items.sort_unstable();
                 self.faces.push(std::array::from_fn(|l| items[l.min(last)]));
                 PACKET | (self.faces.len() - 1) as u32
             } else {
                 self.grow(items, bounds, depth + 1)
             };
+            self.lowest[own] = self.lowest[own].min(self.lowest(self.nodes[own].children[k]));
         }
         own as u32
     }
@@ -193,6 +199,14 @@ impl MeshTree {
     #[inline]
     pub(crate) fn nodes(&self) -> &[TreeNode] {
         &self.nodes
+    }
+    /// Returns the lowest face below a child.
+    #[inline(always)]
+    pub(super) fn lowest(&self, child: u32) -> u32 {
+        match child & PACKET {
+            0 => self.lowest[child as usize],
+            _ => self.faces[(child ^ PACKET) as usize][0],
+        }
     }
     /// Returns a packet and its faces.
     #[inline(always)]

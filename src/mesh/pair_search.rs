@@ -115,7 +115,7 @@ pub(crate) fn visit_pairs<L: EightLanes>(
     let (mut squares, mut found) = ([0.0; 8], Vec::with_capacity(64));
     while let Some(pair) = stack.pop() {
         let most = limits[0].max(limits[1] * back);
-        if pair.square > most {
+        if pair.square > most || wanted.is_below(trees[0].lowest(pair.nodes[0])) {
             continue;
         }
         let leaves = pair.nodes.map(|node| node & PACKET != 0);

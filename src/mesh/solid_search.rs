@@ -253,7 +253,7 @@ pub(super) fn triangles_of<L: EightLanes>(packet: &Packet, part: usize) -> [Vec3
     [part_of(a, part), part_of(b, part), part_of(c, part)]
 }
 
-/// What a search is to visit yet.
+/// The rest of a search: how far, and up to which face.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wanted {
     /// The distance up to which faces are visited; a negative one ends the search.
@@ -269,6 +269,11 @@ impl Wanted {
             distance,
             most: u32::MAX,
         }
+    }
+    /// Returns `true` if a face, the lowest of some, is too high.
+    #[inline(always)]
+    pub(super) fn is_below(&self, lowest: u32) -> bool {
+        self.most < lowest
     }
     /// The end of a search.
     pub(crate) const NOTHING: Wanted = Wanted {
@@ -302,7 +307,7 @@ pub(crate) fn visit_faces<L: EightLanes>(
     room.stack.start();
     let (mut squares, mut gaps) = ([0.0; 8], [0.0; 8]);
     while let Some((square, child)) = room.stack.pop() {
-        if square > limit {
+        if square > limit || wanted.is_below(tree.lowest(child)) {
             continue;
         }
         if child & PACKET == 0 {
