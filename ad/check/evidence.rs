@@ -299,9 +299,16 @@ impl<'a> Evidence<'a> {
         self.wide.as_deref().unwrap_or(self.subject)
     }
 
-    /// Returns `true` if the input is a tie of the source, to the bit.
+    /// Returns `true` if the input is a tie of the source, to the bit. A search may compare equal numbers that decide nothing:
+    /// its input is a tie if another one within roundings has other branches.
     pub(crate) fn exactly_tied(&self) -> bool {
-        self.trace.is_some_and(|trace| trace.margin == 0.0)
+        let Some(trace) = self.trace else {
+            return false;
+        };
+        match self.subject.conventions().searches {
+            true => (self.around.iter()).any(|(_, neighbour)| *neighbour != Neighbour::Same),
+            false => trace.margin == 0.0,
+        }
     }
 
     /// Returns `true` if the duals may be wrong because the input is an exact tie of their source, of which they take a

@@ -6,9 +6,9 @@ use crate::ad::check::compare::invariance;
 use crate::ad::check::judge::judge;
 use crate::ad::check::report::{Failure, Report};
 use crate::ad::check::sampling::Sampling;
-use crate::ad::check::shrink::{is_like, shrunk};
+use crate::ad::check::shrink::{Effort, is_like, shrunk};
 use crate::ad::check::subject::Subject;
-use crate::ad::check::tolerances::{ENOUGH, INSIDE_ONE_IN, KEPT, SHRINKING, SMOOTH_ONE_IN, TIRED};
+use crate::ad::check::tolerances::{ENOUGH, INSIDE_ONE_IN, KEPT, SMOOTH_ONE_IN, TIRED};
 use crate::ad::check::verdict::{Findings, Reason, Smoothness};
 use crate::ad::check::with_sampling::{SubjectRef, WithSampling};
 use crate::ad::check::witness::Precision;
@@ -59,7 +59,7 @@ pub(crate) fn examined<'a>(
     // Counts of the random inputs inside the domain, and of the smooth ones among them.
     let (mut smooth, mut drawn) = (0, 0);
     let mut judged: Vec<bool> = Vec::new();
-    let mut budget = SHRINKING;
+    let mut effort = Effort::new();
     // Refused inputs since the last new reason.
     let mut without_news = 0;
     let mut simple: Vec<Box<dyn Candidate<'a> + 'a>> = Vec::new();
@@ -114,9 +114,9 @@ pub(crate) fn examined<'a>(
                 Some(shown) => shown,
                 None => {
                     let (simplest, fault) =
-                        shrunk(x, fault, findings.place, &mut budget, judged_again);
+                        shrunk(x, fault, findings.place, &mut effort, judged_again);
                     simple.push(simplest.refilled(&simplest.numbers()));
-                    budget = budget.min(SHRINKING / 4);
+                    effort.quarter();
                     (simplest, fault)
                 }
             };

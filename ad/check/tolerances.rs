@@ -4,6 +4,8 @@
 //!
 //! Sizes are relative: to a unit in the last place, to a scale of the input, or to the largest derivative.
 
+use std::time::Duration;
+
 // The largest difference of two exact witnesses.
 
 /// The number of roundings by which two exact computations of a derivative may differ: a sum of a few products has
@@ -191,3 +193,6 @@ pub(crate) const KEPT: usize = 8;
 /// The count of numbers that simpler inputs of the first failure of a report may have together: 400 short inputs. All
 /// further failures together have a quarter of it, since most appear at the input found for the first one.
 pub(crate) const SHRINKING: usize = 400 * FEW_INPUTS;
+/// The time that simpler inputs of one failure may take; a quarter of it for each further one. A judgement of a costly
+/// function takes seconds where it refuses.
+pub(crate) const SHRINKING_TIME: Duration = Duration::from_secs(20);

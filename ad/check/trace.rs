@@ -16,6 +16,7 @@
 //! ```
 use crate::{Real, Scalar};
 use std::cell::Cell;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// The comparisons that one run recorded.
@@ -36,6 +37,15 @@ impl Trace {
         count: 0,
         margin: f64::INFINITY,
     };
+    /// Returns the trace of a replay with the record that it follows.
+    pub(crate) fn with_record(self, record: &impl Hash) -> Self {
+        let mut hasher = DefaultHasher::new();
+        (self.hash, record).hash(&mut hasher);
+        Trace {
+            hash: hasher.finish(),
+            ..self
+        }
+    }
     /// Adds a comparison of `x` with `y`.
     #[inline]
     pub(crate) fn record(&mut self, outcome: bool, x: f64, y: f64) {

@@ -2,7 +2,7 @@
 use crate::ad::check::certificate::Proof;
 use crate::ad::check::noise::{Noisy, noisy};
 use crate::ad::check::subject::{Conventions, Subject};
-use crate::ad::check::trace::{Trace, Traced, num_duals, of_num_duals, trace};
+use crate::ad::check::trace::{Trace, Traced, num_duals, of_num_duals};
 use crate::ad::check::witness::Precision;
 use crate::ad::declared::{Invariance, Kind};
 use crate::ad::forward::{Along, First};
@@ -55,7 +55,7 @@ trait SourceFunctions<S: Real> {
     fn first(&self, x: &[First<S>]) -> Vec<First<S>>;
     fn jets(&self, x: &[Jet<S, 1>]) -> Vec<Jet<S, 1>>;
     fn second(&self, x: &[Along<S>]) -> Vec<Along<S>>;
-    fn traced(&self, x: &[Traced<S>]) -> Vec<Traced<S>>;
+    fn traced(&self, x: &[Traced<S>]) -> (Vec<Traced<S>>, Trace);
     fn num_dual(&self, x: &[S::NumDual]) -> Option<Vec<S::NumDual>>;
     fn vjp(&self, x: &[S], y_bar: &[S]) -> Vec<S>;
     fn noisy_vjp(&self, x: &[Noisy<S>], y_bar: &[Noisy<S>]) -> Vec<Noisy<S>>;
@@ -110,8 +110,9 @@ where
     fn second(&self, x: &[Along<S>]) -> Vec<Along<S>> {
         self.eval(x)
     }
-    fn traced(&self, x: &[Traced<S>]) -> Vec<Traced<S>> {
-        self.eval(x)
+    fn traced(&self, x: &[Traced<S>]) -> (Vec<Traced<S>>, Trace) {
+        let (out, trace) = O::traced_as::<S>(self.decides, &self.made(x));
+        (out.scalars(), trace)
     }
     fn num_dual(&self, x: &[S::NumDual]) -> Option<Vec<S::NumDual>> {
         Some(O::on_num_dual::<S>(&self.made(x))?.scalars())
@@ -255,7 +256,7 @@ impl<S: Real> Subject for OpSubject<'_, S> {
     }
     fn traced(&self, x: &[f64]) -> Option<(Vec<f64>, Trace)> {
         let input: Vec<Traced<S>> = x.iter().map(|&x| Traced(S::nearest(x))).collect();
-        let (out, trace) = trace(|| self.code.traced(&input));
+        let (out, trace) = self.code.traced(&input);
         Some((out.iter().map(|y| y.0.widen()).collect(), trace))
     }
     fn curvature(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {

@@ -1,4 +1,5 @@
 //! Operations, searches and folds in the harness's form: one function, generic over the scalar, and its adjoint.
+use crate::ad::check::trace::{Trace, Traced, trace};
 use crate::kernels::call::folding::{FoldPrograms, Sizes, backwards, programs};
 use crate::kernels::call::replayed::pull_back_of_replay;
 use crate::kernels::call::search::HintedSearch;
@@ -46,6 +47,13 @@ pub trait WithAdjoint: 'static {
         out_bar: Self::Out<S>,
     ) -> Vec<S> {
         Self::pulled(input, out_bar)
+    }
+    /// Returns the result, and the comparisons that may change it.
+    fn traced_as<S: Real>(
+        decides: DecidesIn,
+        input: &Self::In<Traced<S>>,
+    ) -> (Self::Out<Traced<S>>, Trace) {
+        trace(|| Self::eval_as(decides, input))
     }
     /// Returns the gradient of `out_bar · output` in the shape of the input.
     fn vjp<S: Scalar<Mask = bool>>(input: &Self::In<S>, out_bar: Self::Out<S>) -> Self::In<S> {
@@ -104,29 +112,41 @@ fn decided<D: HintedSearch, S: Scalar<Mask = bool>>(
     decides: DecidesIn,
     input: D::In<S>,
 ) -> (D::Record, D::Hints<S>) {
-    let (mut numbers, mut singles) = (Vec::new(), Vec::new());
-    for x in input.scalars() {
-        numbers.push(x.primal());
-        singles.extend(x.primal().widened().map(f32::nearest));
-    }
     let mut hints = Vec::new();
-    let record = match decides {
-        DecidesIn::Single if singles.len() == numbers.len() => {
+    let in_single = match decides {
+        DecidesIn::Single => singles(input.scalars()),
+        DecidesIn::Own => None,
+    };
+    let record = match in_single {
+        Some(singles) => {
             let (record, found) = decided_from::<D, f32>(&input.codes(), &singles);
-            found
-                .into_iter()
-                .for_each(|hint| hints.push(S::lit(hint.widen())));
+            for hint in found {
+                hints.push(S::lit(hint.widen()));
+            }
             record
         }
-        _ => {
+        None => {
+            let mut numbers = Vec::new();
+            for x in input.scalars() {
+                numbers.push(x.primal());
+            }
             let (record, found) = decided_from::<D, S::Primal>(&input.codes(), &numbers);
-            found
-                .into_iter()
-                .for_each(|hint| hints.push(S::from_primal(hint)));
+            for hint in found {
+                hints.push(S::from_primal(hint));
+            }
             record
         }
     };
     (record, D::Hints::load(&hints))
+}
+
+/// Returns numbers in single precision; `None` of scalars that have no plain value.
+fn singles<S: Scalar>(numbers: Vec<S>) -> Option<Vec<f32>> {
+    let mut all = Vec::new();
+    for x in numbers {
+        all.push(f32::nearest(x.widened()?));
+    }
+    Some(all)
 }
 
 /// Returns the decisions and the hints, given the numbers of an input and its codes.
@@ -174,6 +194,20 @@ impl<D: HintedSearch> WithAdjoint for Replayed<D> {
             // A replay that cannot be recorded has no derivatives: the harness reports NaN.
             Err(_) => vec![S::lit(f64::NAN); D::In::<S>::LEN],
         }
+    }
+    /// Returns the result; its trace is the record and the comparisons of the replay. Comparisons of the search may change
+    /// at every step where its record does not, and tie where its result is smooth; so may those of a replay by roundings.
+    fn traced_as<S: Real>(
+        decides: DecidesIn,
+        &input: &Self::In<Traced<S>>,
+    ) -> (Self::Out<Traced<S>>, Trace) {
+        let ((record, hints), _) = trace(|| decided::<D, Traced<S>>(decides, input));
+        let (out, replay) = trace(|| D::replay_with_hints(input, record, hints));
+        let replay = match D::DECLARED.by_roundings {
+            true => Trace::EMPTY,
+            false => replay,
+        };
+        (out, replay.with_record(&record))
     }
     fn made<T: Scalar>(like: &Self::In<f64>, numbers: &[T]) -> Self::In<T> {
         D::In::<T>::load(numbers).load_codes(&like.codes())

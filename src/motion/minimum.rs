@@ -117,11 +117,14 @@ where
     } = place;
     match kind {
         Minimum::Held => pair.replayed(time, decided[0]).apart,
-        // One step of Newton's method makes derivatives of the time right, and those of the distance of both orders.
+        // A step of Newton's method leaves an error of the time's derivative as large as that of the curvature, which is a
+        // difference of rates; two leave its square.
         Minimum::Smooth => {
-            let rate = pair.rate(time, &pair.replayed(time, decided[0]));
-            let time = time - rate.over(curvature);
-            with_number(least, pair.replayed(time, decided[0]).apart)
+            let step = |time: S| {
+                let rate = pair.rate(time, &pair.replayed(time, decided[0]));
+                time - rate.over(curvature)
+            };
+            with_number(least, pair.replayed(step(step(time)), decided[0]).apart)
         }
         Minimum::Crossing => {
             let side = |t: S, decided| {

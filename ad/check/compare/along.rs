@@ -362,7 +362,9 @@ impl AlongDirection<'_> {
         };
         let by_convention = if witness == Witness::Dual && e.tie_of_duals() {
             Some((Smoothness::Smooth, false))
-        } else if tied && (chosen(e) || self.bent(row)) {
+        } else if tied && (chosen(e) || self.bent(row))
+            || agree && e.branches_nearby(row, direction, (test.derivative, tolerance))
+        {
             Some((Smoothness::Undefined, true))
         } else if (tied || unknown) && is_among() {
             // At a tie any derivative between those of the branches is right.
@@ -410,6 +412,7 @@ impl AlongDirection<'_> {
         let own = (test.derivative, tolerance);
         if self.flat(row, sides, own)
             || is_tie
+            || e.branches_nearby(row, self.direction, own)
             || self.beyond(test)
             // Nothing is known beyond the border, and a kink may lie on it.
             || (unknown && border)

@@ -3,8 +3,8 @@
 //! [`judge`](crate::ad::check::judge) call it before they refuse a derivative at a tie.
 use crate::ad::check::evidence::{Combination, Evidence, finite};
 use crate::ad::check::tolerances::{
-    APPROACHES, FEW_INPUTS, FEW_PLACES, FIRST, INFORMATIVE, MOVED_ROUNDINGS, NEARBY, NEARER,
-    NEARER_STEPS, PLACES, SAFETY, SIDES, TRIES, TRIES_OF_STEPS,
+    APPROACHES, DECIDED, FEW_INPUTS, FEW_PLACES, FIRST, INFORMATIVE, MOVED_ROUNDINGS, NEARBY,
+    NEARER, NEARER_STEPS, PLACES, SAFETY, SIDES, TRIES, TRIES_OF_STEPS,
 };
 use crate::ad::check::witness::{Estimate, Precision, StepSequence, combined, dot};
 use crate::ad::sample::Draw;
@@ -113,6 +113,43 @@ impl Evidence<'_> {
         false
     }
 
+    /// Returns `true` if a search chooses among branches that meet near the input: the tested derivatives along a direction
+    /// differ there, by more than smooth ones would, from the one at the input. Nearest points of faces that are parallel
+    /// are a mean of several, and any motion of the input that is not theirs leaves one of them.
+    pub(crate) fn branches_nearby(
+        &self,
+        row: &Combination,
+        direction: &[f64],
+        (derivative, tolerance): (f64, f64),
+    ) -> bool {
+        if !self.subject.conventions().searches {
+            return false;
+        }
+        let on = self.on();
+        let rounding = self.subject.rounding(self.x);
+        let mut draw = Draw::new(23);
+        (0..PLACES).any(|k| {
+            // Features may be as small as rounding, and as large as the scales.
+            let far = NEARBY * NEARER.powf(k as f64 / PLACES as f64);
+            let each = self.x.iter().zip(&self.scales).zip(&rounding);
+            let there: Vec<f64> = each
+                .map(|((x, scale), rounding)| {
+                    x + (far * scale).max(*rounding) * draw.within(-1.0, 1.0)
+                })
+                .collect();
+            if !on.inside(&there) {
+                return false;
+            }
+            let own = match on.adjoint(&there, &row.weights) {
+                Some(adjoint) => Some(dot(&adjoint, direction)),
+                None => on
+                    .along(&there, direction)
+                    .map(|along| dot(&row.weights, &along)),
+            };
+            own.is_some_and(|own| (own - derivative).abs() > tolerance + DECIDED * row.largest)
+        })
+    }
+
     /// Returns the derivative along a direction at a point near the input by differences, whose steps are small
     /// compared with its distance; `None` if they cross a kink.
     fn by_steps(
@@ -162,8 +199,9 @@ impl Evidence<'_> {
         let Some(adjoint) = row.adjoint.as_ref().filter(|_| n <= FEW_INPUTS) else {
             return false;
         };
-        // A tie is one to the bit where branches are known.
-        if self.trace.is_some() && !self.exactly_tied() {
+        // A tie is one to the bit where branches are known. Those that a search compares are not.
+        let searches = self.subject.conventions().searches;
+        if self.trace.is_some() && !searches && !self.exactly_tied() {
             return false;
         }
         let rounding = self.subject.rounding(self.x);
