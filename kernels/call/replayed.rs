@@ -11,14 +11,48 @@ use crate::kernels::row::once::known;
 use crate::kernels::row::straight_line::by_reverse;
 use crate::scalar::Format;
 use crate::{Fixed, Pack, Real, Scalar};
+use std::any::Any;
 use std::collections::HashMap;
+use std::hash::{Hash, Hasher};
 use std::sync::{Arc, PoisonError, RwLock};
 
 /// The number of programs that a search keeps. One more drops all, which bounds the memory.
 const MOST_KEPT: usize = 1 << 14;
 
-/// A cache by an input's codes and its record.
-type Cache<D, X> = RwLock<HashMap<(Vec<u32>, <D as HintedSearch>::Record), Arc<X>>>;
+/// A record of any search: programs of all searches are kept by one compiled table.
+trait AnyRecord: Any + Send + Sync {
+    fn equals(&self, other: &dyn Any) -> bool;
+    fn hash_into(&self, state: &mut dyn Hasher);
+}
+
+impl<R: Copy + Eq + Hash + Send + Sync + 'static> AnyRecord for R {
+    fn equals(&self, other: &dyn Any) -> bool {
+        other.downcast_ref::<R>() == Some(self)
+    }
+    fn hash_into(&self, mut state: &mut dyn Hasher) {
+        self.hash(&mut state);
+    }
+}
+
+/// An input's codes and its record.
+struct ReplayKey(Vec<u32>, Box<dyn AnyRecord>);
+
+impl PartialEq for ReplayKey {
+    fn eq(&self, other: &Self) -> bool {
+        let record: &dyn Any = &*other.1;
+        self.0 == other.0 && self.1.equals(record)
+    }
+}
+impl Eq for ReplayKey {}
+impl Hash for ReplayKey {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.0.hash(state);
+        self.1.hash_into(state);
+    }
+}
+
+/// The programs of records.
+type Cache = RwLock<HashMap<ReplayKey, Arc<Recorded>>>;
 
 /// A run of numbers of an item or a result.
 #[derive(Clone, Copy, Debug)]
@@ -58,8 +92,8 @@ impl NumberBlock {
 /// The replays of the search `D` in the format `T`, differentiated.
 struct DerivedReplays<D: HintedSearch, T> {
     blocks: DerivedBlocks,
-    programs: Cache<D, Recorded>,
-    format: std::marker::PhantomData<fn() -> T>,
+    programs: Cache,
+    types: std::marker::PhantomData<fn(D) -> T>,
 }
 
 /// Returns the numbers of scalars of an input in a program and in a column.
@@ -143,7 +177,7 @@ where
             D::Out::<R::Scalar>::LEN,
         ),
         programs: RwLock::default(),
-        format: std::marker::PhantomData,
+        types: std::marker::PhantomData,
     })
 }
 
@@ -152,18 +186,18 @@ fn numbers_of(blocks: &[NumberBlock], input: [usize; 2]) -> usize {
     blocks.iter().map(|block| block.sizes(input)[0]).sum()
 }
 
-/// Returns the value of a key, made at first use. If two threads make it, the first is kept.
-fn made<D: HintedSearch, X>(
-    all: &Cache<D, X>,
-    key: (Vec<u32>, D::Record),
-    make: impl FnOnce(&[u32], D::Record) -> Result<X, Error>,
-) -> Result<Arc<X>, Error> {
+/// Returns the program of a key, made at first use. If two threads make it, the first is kept.
+fn made(
+    all: &Cache,
+    key: ReplayKey,
+    make: &dyn Fn(&[u32]) -> Result<Recorded, Error>,
+) -> Result<Arc<Recorded>, Error> {
     let kept = all.read().unwrap_or_else(PoisonError::into_inner);
     if let Some(found) = kept.get(&key) {
         return Ok(Arc::clone(found));
     }
     drop(kept);
-    let made = Arc::new(make(&key.0, key.1)?);
+    let made = Arc::new(make(&key.0)?);
     let mut kept = all.write().unwrap_or_else(PoisonError::into_inner);
     if kept.len() >= MOST_KEPT {
         kept.clear();
@@ -226,14 +260,10 @@ pub(crate) fn pull_back_of_replay<D: HintedSearch>(
     Ok(made)
 }
 
-impl<D: HintedSearch, T: Real> DerivedReplays<D, T>
-where
-    D::In<T>: Item<Scalar = T>,
-{
-    /// Records a replay and differentiates it.
-    fn program(&self, codes: &[u32], record: D::Record) -> Result<Recorded, Error> {
-        let mut recorded = recorded::<D>(T::FORMAT, codes, record)?;
-        for (step, kept) in &self.blocks.steps {
+impl DerivedBlocks {
+    /// Returns a replay differentiated by all steps.
+    fn derived(&self, mut recorded: Recorded, has_hints: bool) -> Recorded {
+        for (step, kept) in &self.steps {
             recorded = match *step {
                 // Without the value, which [`by_reverse`] puts first: a replay computes the derivative alone.
                 DerivativeStep::Mode(Mode::Vjp) => recorded.vjp(),
@@ -241,30 +271,54 @@ where
                 DerivativeStep::Along(Order::First) => recorded.jvp(),
                 DerivativeStep::Along(Order::Second) => recorded.hvp(),
             };
-            if D::Hints::<T>::LEN > 0 {
+            if has_hints {
                 recorded = recorded.chosen(kept);
             }
         }
-        Ok(recorded)
+        recorded
     }
-    /// Returns codes and record of an item; appends its numbers without codes, and the hints, to `taken`.
-    fn key(&self, numbers: &[T], taken: &mut Vec<T>) -> (Vec<u32>, D::Record) {
-        let input = input::<D, T>(numbers);
-        let (record, hints) = D::decide_with_hints::<T>(input);
+    /// Appends an item's numbers without codes, and the hints. `scalars` puts the scalars of an input before its codes.
+    fn take<T: Real>(
+        &self,
+        numbers: &[T],
+        hints: &[T],
+        sizes: [usize; 2],
+        scalars: fn(&[T]) -> Vec<T>,
+        taken: &mut Vec<T>,
+    ) {
         let mut rest = numbers;
-        for block in &self.blocks.takes {
-            let (own, others) = rest.split_at(block.sizes(input_sizes::<D::In<T>>())[1]);
+        for block in &self.takes {
+            let (own, others) = rest.split_at(block.sizes(sizes)[1]);
             match block {
-                NumberBlock::Input => {
-                    taken.extend_from_slice(&by_kind::<D::In<T>>(own)[..D::In::<T>::LEN]);
-                }
+                NumberBlock::Input => taken.extend_from_slice(&scalars(own)[..sizes[0]]),
                 NumberBlock::Plain(_) => taken.extend_from_slice(own),
-                NumberBlock::Hints(_) => taken.extend(hints.scalars()),
+                NumberBlock::Hints(_) => taken.extend_from_slice(hints),
                 NumberBlock::Still(count) => taken.extend((0..*count).map(|_| T::zero())),
             }
             rest = others;
         }
-        (input.codes(), record)
+    }
+    /// Writes a row of results from those of a replay. `shaped` writes the scalars of a gradient with the input's codes.
+    fn put<T: Real>(
+        &self,
+        (found, row): (&[T], &mut [T]),
+        codes: &[u32],
+        sizes: [usize; 2],
+        shaped: fn(&[T], &[u32], &mut [T]),
+    ) {
+        let (mut found, mut row) = (found, row);
+        for block in &self.gives {
+            let [from, to] = block.sizes(sizes);
+            let (own, others) = found.split_at(from);
+            let (place, after) = row.split_at_mut(to);
+            match block {
+                // A gradient has the input's codes.
+                NumberBlock::Input => shaped(own, codes, place),
+                NumberBlock::Plain(_) => place.copy_from_slice(own),
+                NumberBlock::Hints(_) | NumberBlock::Still(_) => {}
+            }
+            (found, row) = (others, after);
+        }
     }
 }
 
@@ -281,9 +335,15 @@ where
     D::In<T>: Item<Scalar = T>,
 {
     fn decide(&self, numbers: &[T], taken: &mut Vec<T>) -> Result<Arc<Recorded>, Error> {
-        let key = self.key(numbers, taken);
-        made::<D, _>(&self.programs, key, |codes, record| {
-            self.program(codes, record)
+        let input = input::<D, T>(numbers);
+        let (record, hints) = D::decide_with_hints::<T>(input);
+        let sizes = const { input_sizes::<D::In<T>>() };
+        let (hints, scalars) = (hints.scalars(), by_kind::<D::In<T>>);
+        self.blocks.take(numbers, &hints, sizes, scalars, taken);
+        let key = ReplayKey(input.codes(), Box::new(record));
+        made(&self.programs, key, &|codes| {
+            let recorded = recorded::<D>(T::FORMAT, codes, record)?;
+            Ok(self.blocks.derived(recorded, D::Hints::<T>::LEN > 0))
         })
     }
     fn hints(&self) -> usize {
@@ -295,18 +355,8 @@ where
     }
     fn put(&self, numbers: &[T], found: &[T], row: &mut [T]) {
         let codes = input::<D, T>(numbers).codes();
-        let (mut found, mut row) = (found, row);
-        for block in &self.blocks.gives {
-            let [from, to] = block.sizes(input_sizes::<D::In<T>>());
-            let (own, others) = found.split_at(from);
-            let (place, after) = row.split_at_mut(to);
-            match block {
-                // A gradient has the input's codes.
-                NumberBlock::Input => by_shape::<D::In<T>>(own, &codes, place),
-                NumberBlock::Plain(_) => place.copy_from_slice(own),
-                NumberBlock::Hints(_) | NumberBlock::Still(_) => {}
-            }
-            (found, row) = (others, after);
-        }
+        let sizes = const { input_sizes::<D::In<T>>() };
+        self.blocks
+            .put((found, row), &codes, sizes, by_shape::<D::In<T>>);
     }
 }

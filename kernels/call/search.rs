@@ -19,116 +19,140 @@ use std::sync::Arc;
 /// The number of inputs per replay on duals. A larger one needs fewer replays with larger duals.
 const AT_A_TIME: usize = 4;
 
-/// Returns the places of the numbers that a replay reads.
-fn places<D: HintedSearch>(record: &D::Record) -> Vec<usize> {
-    let all = 0..D::In::<f64>::LEN;
-    all.filter(|&place| D::is_read(record, place)).collect()
+/// An item that a search has decided, without the types of its shapes: what every search does with it is compiled once
+/// per format.
+trait SearchedItem<T: Real> {
+    /// Writes the result.
+    fn value(&self, out: &mut [T]);
+    /// Returns the result, and the cotangents of the input's scalars by hand, if the search has them; without a cotangent
+    /// of the result it is all ones.
+    fn by_hand(&self, out_bar: Option<&[T]>) -> Option<[Vec<T>; 2]>;
+    /// Returns `false` for a number, by its place, that the replay does not read.
+    fn is_read(&self, place: usize) -> bool;
+    /// Returns the result on duals of the input's scalars.
+    fn on_duals(&self, scalars: &[Jet<T, AT_A_TIME>]) -> Vec<Jet<T, AT_A_TIME>>;
+    /// Writes derivatives by the input's scalars in the order of a column.
+    fn put(&self, scalars: &[T], to: &mut [T]);
+    /// Returns the number of scalars of the input, of the result, and of a row of the input's column.
+    fn sizes(&self) -> [usize; 3];
 }
 
-/// Returns the result on duals, with derivatives by the numbers at up to `AT_A_TIME` places. `codes` are the input's.
-fn replayed<D: HintedSearch<In<<R as Pack>::Scalar> = R>, R: Item>(
-    numbers: &[R::Scalar],
-    codes: &[u32],
-    places: &[usize],
-    (record, hints): (D::Record, D::Hints<R::Scalar>),
-) -> Vec<Jet<R::Scalar, AT_A_TIME>> {
-    // No place is so large, so that none is a variable.
-    let constant = |&x: &R::Scalar| Jet::variable(x, usize::MAX);
-    let mut jets: Vec<Jet<R::Scalar, AT_A_TIME>> = numbers[..R::LEN].iter().map(constant).collect();
-    for (k, &place) in places.iter().enumerate() {
-        jets[place] = Jet::variable(numbers[place], k);
-    }
-    let moved = D::In::<Jet<R::Scalar, AT_A_TIME>>::load(&jets).load_codes(codes);
-    let hints: Vec<_> = hints.scalars().iter().map(constant).collect();
-    let hints = D::Hints::<Jet<R::Scalar, AT_A_TIME>>::load(&hints);
-    D::replay_with_hints::<Jet<R::Scalar, AT_A_TIME>>(moved, record, hints).scalars()
-}
-
-/// Returns the result of one item and the cotangents of its arguments by hand, if the search has them; without a
-/// cotangent of the result it is all ones.
-fn by_hand<D: HintedSearch<In<<R as Pack>::Scalar> = R>, R: Item>(
+/// An item of a search: its input, the decisions and the hints.
+struct ItemOf<D: HintedSearch, R: Item> {
     input: R,
-    (record, hints): &(D::Record, D::Hints<R::Scalar>),
-    out_bar: Option<&[R::Scalar]>,
-) -> Option<(D::Out<R::Scalar>, R)> {
-    let ones = vec![R::Scalar::one(); D::Out::<R::Scalar>::LEN];
-    let out_bar = D::Out::<R::Scalar>::load(out_bar.unwrap_or(&ones));
-    D::adjoint_with_hints::<R::Scalar>(input, record, hints, out_bar)
+    record: D::Record,
+    hints: D::Hints<R::Scalar>,
 }
 
-/// Writes the result of one item, and the gradient of each of its numbers.
-fn item_and_jacobian<D: HintedSearch<In<<R as Pack>::Scalar> = R>, R: Item>(
-    numbers: &[R::Scalar],
-    out: &mut [R::Scalar],
-) {
-    let numbers = by_kind::<R>(numbers);
-    let input = get::<R>(&numbers);
-    let found = D::decide_with_hints::<R::Scalar>(input);
-    let (record, hints) = found;
-    let codes: Vec<u32> = input.codes();
-    let result = D::Out::<R::Scalar>::LEN;
+/// Returns a number as a dual without derivatives: no place is so large, so that none is a variable.
+fn constant<T: Real>(x: T) -> Jet<T, AT_A_TIME> {
+    Jet::variable(x, usize::MAX)
+}
+
+impl<D: HintedSearch<In<<R as Pack>::Scalar> = R>, R: Item> SearchedItem<R::Scalar>
+    for ItemOf<D, R>
+{
+    fn value(&self, out: &mut [R::Scalar]) {
+        D::replay_with_hints::<R::Scalar>(self.input, self.record, self.hints).store(out);
+    }
+    fn by_hand(&self, out_bar: Option<&[R::Scalar]>) -> Option<[Vec<R::Scalar>; 2]> {
+        let ones = vec![R::Scalar::one(); D::Out::<R::Scalar>::LEN];
+        let out_bar = D::Out::<R::Scalar>::load(out_bar.unwrap_or(&ones));
+        let found =
+            D::adjoint_with_hints::<R::Scalar>(self.input, &self.record, &self.hints, out_bar);
+        found.map(|(value, bars)| [value.scalars(), bars.scalars()])
+    }
+    fn is_read(&self, place: usize) -> bool {
+        D::is_read(&self.record, place)
+    }
+    fn on_duals(&self, scalars: &[Jet<R::Scalar, AT_A_TIME>]) -> Vec<Jet<R::Scalar, AT_A_TIME>> {
+        let codes = self.input.codes();
+        let moved = D::In::<Jet<R::Scalar, AT_A_TIME>>::load(scalars).load_codes(&codes);
+        let hints: Vec<_> = self.hints.scalars().into_iter().map(constant).collect();
+        let hints = D::Hints::<Jet<R::Scalar, AT_A_TIME>>::load(&hints);
+        D::replay_with_hints::<Jet<R::Scalar, AT_A_TIME>>(moved, self.record, hints).scalars()
+    }
+    fn put(&self, scalars: &[R::Scalar], to: &mut [R::Scalar]) {
+        // Derivatives have the input's codes.
+        by_shape::<R>(scalars, &self.input.codes(), to);
+    }
+    fn sizes(&self) -> [usize; 3] {
+        [R::LEN, D::Out::<R::Scalar>::LEN, width::<R>()]
+    }
+}
+
+/// Returns the duals of a result for the numbers at up to `AT_A_TIME` places.
+fn replayed<T: Real>(
+    item: &dyn SearchedItem<T>,
+    scalars: &[T],
+    places: &[usize],
+) -> Vec<Jet<T, AT_A_TIME>> {
+    let mut duals: Vec<_> = scalars.iter().copied().map(constant).collect();
+    for (k, &place) in places.iter().enumerate() {
+        duals[place] = Jet::variable(scalars[place], k);
+    }
+    item.on_duals(&duals)
+}
+
+/// Returns the places of the numbers that a replay reads.
+fn places<T: Real>(item: &dyn SearchedItem<T>, scalars: &[T]) -> Vec<usize> {
+    let all = 0..scalars.len();
+    all.filter(|&place| item.is_read(place)).collect()
+}
+
+/// Writes the result of an item, and the gradient of each of its numbers.
+fn with_jacobian<T: Real>(item: &dyn SearchedItem<T>, scalars: &[T], out: &mut [T]) {
+    let [inputs, result, width] = item.sizes();
     if result == 1
-        && let Some((value, bars)) = by_hand::<D, R>(input, &found, None)
+        && let Some([value, bars]) = item.by_hand(None)
     {
-        value.store(out);
-        by_shape::<R>(&bars.scalars(), &codes, &mut out[result..]);
+        out[..result].copy_from_slice(&value);
+        item.put(&bars, &mut out[result..]);
         return;
     }
-    let mut rows = vec![R::Scalar::default(); result * R::LEN];
-    for places in places::<D>(&record).chunks(AT_A_TIME) {
-        let replayed = replayed::<D, R>(&numbers, &codes, places, found);
-        for (row, jet) in rows.chunks_exact_mut(R::LEN).zip(replayed) {
+    let mut rows = vec![T::default(); result * inputs];
+    for places in places(item, scalars).chunks(AT_A_TIME) {
+        let replayed = replayed(item, scalars, places);
+        for (row, jet) in rows.chunks_exact_mut(inputs).zip(replayed) {
             for (&place, derivative) in places.iter().zip(jet.derivative) {
                 row[place] = derivative;
             }
         }
     }
-    D::replay_with_hints::<R::Scalar>(input, record, hints).store(out);
-    let gradients = out[result..].chunks_exact_mut(width::<R>());
-    for (row, gradient) in rows.chunks_exact(R::LEN).zip(gradients) {
-        // A gradient has the input's codes.
-        by_shape::<R>(row, &codes, gradient);
+    item.value(out);
+    let gradients = out[result..].chunks_exact_mut(width);
+    for (row, gradient) in rows.chunks_exact(inputs).zip(gradients) {
+        item.put(row, gradient);
     }
 }
 
-/// Writes the result of one item, and its derivatives times a cotangent; without one it is all ones.
-fn item<D: HintedSearch<In<<R as Pack>::Scalar> = R>, R: Item>(
-    numbers: &[R::Scalar],
-    out_bar: Option<&[R::Scalar]>,
-    out: &mut [R::Scalar],
-    derivatives: bool,
+/// Writes the result of an item, and its derivatives times a cotangent; without one it is all ones.
+fn with_derivatives<T: Real>(
+    item: &dyn SearchedItem<T>,
+    scalars: &[T],
+    out_bar: Option<&[T]>,
+    out: &mut [T],
 ) {
-    let numbers = by_kind::<R>(numbers);
-    let input = get::<R>(&numbers);
-    let found = D::decide_with_hints::<R::Scalar>(input);
-    let (record, hints) = found;
-    let result = D::Out::<R::Scalar>::LEN;
-    if derivatives {
-        // The cotangent of one number scales its gradient: both have the same bits but for this product.
-        let (own, scale) = match out_bar {
-            Some([bar]) => (None, Some(*bar)),
-            _ => (out_bar, None),
-        };
-        if let Some((value, bars)) = by_hand::<D, R>(input, &found, own) {
-            value.store(out);
-            let mut bars = bars.scalars();
-            if let Some(scale) = scale {
-                bars.iter_mut().for_each(|bar| *bar *= scale);
-            }
-            by_shape::<R>(&bars, &input.codes(), &mut out[result..]);
-            return;
+    let [_, result, _] = item.sizes();
+    // The cotangent of one number scales its gradient: both have the same bits but for this product.
+    let (own, scale) = match out_bar {
+        Some([bar]) => (None, Some(*bar)),
+        _ => (out_bar, None),
+    };
+    if let Some([value, mut bars]) = item.by_hand(own) {
+        out[..result].copy_from_slice(&value);
+        if let Some(scale) = scale {
+            bars.iter_mut().for_each(|bar| *bar *= scale);
         }
-    }
-    D::replay_with_hints::<R::Scalar>(input, record, hints).store(out);
-    if !derivatives {
+        item.put(&bars, &mut out[result..]);
         return;
     }
-    let codes: Vec<u32> = input.codes();
-    let mut bars = vec![R::Scalar::default(); R::LEN];
-    for places in places::<D>(&record).chunks(AT_A_TIME) {
-        let replayed = replayed::<D, R>(&numbers, &codes, places, found);
+    item.value(out);
+    let mut bars = vec![T::default(); scalars.len()];
+    for places in places(item, scalars).chunks(AT_A_TIME) {
+        let replayed = replayed(item, scalars, places);
         for (k, jet) in replayed.into_iter().enumerate() {
-            let by = out_bar.map_or(R::Scalar::one(), |out_bar| out_bar[k]);
+            let by = out_bar.map_or(T::one(), |out_bar| out_bar[k]);
             for (&place, derivative) in places.iter().zip(jet.derivative) {
                 bars[place] = if k == 0 {
                     derivative * by
@@ -138,8 +162,23 @@ fn item<D: HintedSearch<In<<R as Pack>::Scalar> = R>, R: Item>(
             }
         }
     }
-    // A gradient has the input's codes.
-    by_shape::<R>(&bars, &codes, &mut out[result..]);
+    item.put(&bars, &mut out[result..]);
+}
+
+/// Decides an item, and calls a function with it and the scalars of its input.
+fn decided<D: HintedSearch<In<<R as Pack>::Scalar> = R>, R: Item>(
+    numbers: &[R::Scalar],
+    run: &mut dyn FnMut(&dyn SearchedItem<R::Scalar>, &[R::Scalar]),
+) {
+    let numbers = by_kind::<R>(numbers);
+    let input = get::<R>(&numbers);
+    let (record, hints) = D::decide_with_hints::<R::Scalar>(input);
+    let item = ItemOf::<D, R> {
+        input,
+        record,
+        hints,
+    };
+    run(&item, &numbers[..R::LEN]);
 }
 
 /// Returns the function of one item in a mode of a search.
@@ -148,9 +187,15 @@ where
     D: HintedSearch<In<<R as Pack>::Scalar> = R>,
 {
     match mode {
-        Mode::Value => |x, bar, out| item::<D, R>(x, bar, out, false),
-        Mode::Jacobian => |x, _, out| item_and_jacobian::<D, R>(x, out),
-        Mode::ValueGrad | Mode::Vjp => |x, bar, out| item::<D, R>(x, bar, out, true),
+        Mode::Value => |x, _, out| decided::<D, R>(x, &mut |item, _| item.value(out)),
+        Mode::Jacobian => |x, _, out| {
+            decided::<D, R>(x, &mut |item, scalars| with_jacobian(item, scalars, out));
+        },
+        Mode::ValueGrad | Mode::Vjp => |x, bar, out| {
+            decided::<D, R>(x, &mut |item, scalars| {
+                with_derivatives(item, scalars, bar, out);
+            });
+        },
     }
 }
 

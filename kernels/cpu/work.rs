@@ -2,6 +2,8 @@
 use std::cell::{Cell, RefCell};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+#[cfg(feature = "parallel")]
+use std::sync::{Mutex, PoisonError};
 
 thread_local! {
     /// `true` if batches called by this thread stay on it.
@@ -117,9 +119,14 @@ pub fn in_parallel<W: Send>(work: Vec<W>, run: impl Fn(W) + Send + Sync) {
     let interruption = Interruption::current();
     #[cfg(feature = "parallel")]
     if work.len() > 1 && is_parallel() {
-        use rayon::prelude::*;
-        work.into_par_iter().with_max_len(1).for_each(|work| {
-            if !interruption.is_due() {
+        let work: Vec<_> = work
+            .into_iter()
+            .map(|work| Mutex::new(Some(work)))
+            .collect();
+        on_all_threads(work.len(), &|place| {
+            let mut piece = work[place].lock().unwrap_or_else(PoisonError::into_inner);
+            if let Some(work) = piece.take() {
+                drop(piece);
                 interruption.within(|| run(work));
             }
         });
@@ -131,6 +138,22 @@ pub fn in_parallel<W: Send>(work: Vec<W>, run: impl Fn(W) + Send + Sync) {
         }
         run(work);
     }
+}
+
+/// Calls a function with every number below a count on all threads, until an interruption. It is compiled once for all
+/// kinds of work.
+#[cfg(feature = "parallel")]
+fn on_all_threads(count: usize, run: &(dyn Fn(usize) + Send + Sync)) {
+    use rayon::prelude::*;
+    let interruption = Interruption::current();
+    (0..count)
+        .into_par_iter()
+        .with_max_len(1)
+        .for_each(|place| {
+            if !interruption.is_due() {
+                run(place);
+            }
+        });
 }
 
 /// Returns the number of rows in a piece of work: there are at most 64 pieces, each worth a thread's start.

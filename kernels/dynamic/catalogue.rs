@@ -465,6 +465,14 @@ where
 /// A list of operations, filled by the walk over all rows.
 struct OperationList(Vec<Operation>);
 
+impl OperationList {
+    /// Adds an operation with its row. Not inlined: each of hundreds of rows calls it once.
+    #[inline(never)]
+    fn add(&mut self, operation: &'static Operation, row: Written) {
+        self.0.push(operation.written(row));
+    }
+}
+
 impl Walk for OperationList {
     fn straight<O: Op>(&mut self, row: Written)
     where
@@ -473,7 +481,7 @@ impl Walk for OperationList {
         O::In<f64>: Item<Scalar = f64> + Sample,
         O::Out<f64>: Item<Scalar = f64> + Sample,
     {
-        self.0.push(const { straight::<O>() }.written(row));
+        self.add(const { &straight::<O>() }, row);
     }
     fn search<D: HintedSearch>(&mut self, row: Written)
     where
@@ -482,7 +490,7 @@ impl Walk for OperationList {
         D::In<f64>: Item<Scalar = f64> + Sample,
         D::Out<f64>: Item<Scalar = f64> + Sample,
     {
-        self.0.push(const { search::<D>() }.written(row));
+        self.add(const { &search::<D>() }, row);
     }
     fn fold<F: Fold>(&mut self, row: Written)
     where
@@ -493,7 +501,7 @@ impl Walk for OperationList {
         Vec<F::Element<f64>>: Sample,
         F::Out<f64>: Item<Scalar = f64> + Sample,
     {
-        self.0.push(const { fold::<F>() }.written(row));
+        self.add(const { &fold::<F>() }, row);
     }
 }
 

@@ -1,5 +1,6 @@
 //! Arrays as rows of numbers, and arrays for results.
 use crate::column::{Column, NUMBERS};
+use crate::lent::in_use;
 use crate::number::Number;
 use crate::shapes::{Content, Shape, array, stacked};
 use crate::table::table;
@@ -9,6 +10,7 @@ use numpy::{
     PyReadwriteArrayDyn, PyUntypedArray, PyUntypedArrayMethods,
 };
 use pyo3::exceptions::{PyMemoryError, PyTypeError, PyValueError};
+use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
@@ -205,10 +207,6 @@ fn slice<'s, T: Number>(own: &'s PyReadonlyArrayDyn<'_, T>) -> PyResult<&'s [T]>
     own.as_slice().map_err(failed)
 }
 
-fn in_use(name: &str) -> PyErr {
-    PyValueError::new_err(format!("`{name}` is being written by another call"))
-}
-
 /// Returns a contiguous array in the format: the array itself, or a copy.
 fn plain<T: Number>(array: Bound<'_, PyAny>) -> PyResult<Bound<'_, PyArrayDyn<T>>> {
     let py = array.py();
@@ -325,6 +323,9 @@ pub fn aligned<'py, T: Number>(
     fitted.collect()
 }
 
+/// The most numbers of a new array that is made of zeros.
+const FEW_ZEROS: usize = 4096;
+
 /// An array for results: a new one that is written completely, or the caller's.
 pub struct Target<'py, T: Number> {
     array: Bound<'py, PyArrayDyn<T>>,
@@ -343,10 +344,17 @@ impl<'py, T: Number> Target<'py, T> {
         {
             return Err(PyMemoryError::new_err("more results than memory can hold"));
         }
-        let array = py
-            .import("numpy")?
-            .call_method1("empty", (PyTuple::new(py, shape)?, numpy::dtype::<T>(py)))?;
-        let array = array.cast_into::<PyArrayDyn<T>>()?;
+        let array = match size {
+            // Zeros of few take less time than a call of Python; of many they are a pass over memory.
+            Some(..=FEW_ZEROS) => PyArrayDyn::zeros(py, shape, false),
+            _ => py
+                .import(intern!(py, "numpy"))?
+                .call_method1(
+                    intern!(py, "empty"),
+                    (PyTuple::new(py, shape)?, numpy::dtype::<T>(py)),
+                )?
+                .cast_into::<PyArrayDyn<T>>()?,
+        };
         Ok(Target {
             object: array.as_any().clone(),
             array,

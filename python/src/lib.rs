@@ -1,6 +1,7 @@
 //! The module `geograd._core`.
 #![forbid(unsafe_code)]
 mod arrays;
+mod at_once;
 mod buffer_measures;
 mod buffered;
 mod call;
@@ -15,6 +16,7 @@ mod far_pairs;
 mod forms;
 mod grouped;
 mod hulls;
+mod lent;
 mod machine;
 mod mesh_arrays;
 mod meshes;

@@ -1,4 +1,5 @@
 //! Measures, overlaps and distances of polygons, item by item, on all cores.
+use crate::lent::array_of;
 use crate::polygons::{Format, Polygons, rows};
 use crate::threads::{FEW, get_num_threads, on_threads};
 use geograd::ad::adjoint::{overlap_rings, polygon as adjoint};
@@ -50,6 +51,24 @@ pub fn in_watched_runs<R: Send>(
             false => (0..runs).into_par_iter().filter_map(of).collect(),
         }
     })
+}
+
+/// Returns the numbers that runs of items append, in order. Few items are one run.
+pub fn listed<R: Copy + Send>(
+    py: Python<'_>,
+    count: usize,
+    work: usize,
+    run: impl Fn(Range<usize>, &mut Vec<R>) + Send + Sync,
+) -> PyResult<Vec<R>> {
+    let of = |own: Range<usize>| {
+        let mut found = Vec::with_capacity(own.len());
+        run(own, &mut found);
+        found
+    };
+    match work.max(count) <= FEW {
+        true => on_threads(py, work.max(count), || of(0..count)),
+        false => Ok(in_runs(py, count, work, of)?.concat()),
+    }
 }
 
 /// Returns the number of items of two columns, of which one item may stand for all.
@@ -196,8 +215,7 @@ fn measured<'py, T: Format>(
     let vertices = T::of(&own.vertices);
     let (count, work) = (own.layout.len(), vertices.len());
     let Some(upstream) = upstream else {
-        let runs = in_runs(py, count, work, |run| {
-            let mut values = Vec::new();
+        let values = listed(py, count, work, |run, values| {
             for rings in run.map(|item| own.layout.item(&vertices, item)) {
                 match measure {
                     // One ring needs no decision about holes.
@@ -212,11 +230,10 @@ fn measured<'py, T: Format>(
                     }
                 }
             }
-            values
         })?;
-        let values = PyArray1::from_vec(py, runs.concat());
+        let values = array_of(py, values);
         return match measure {
-            Measure::Centroid => values.as_any().call_method1("reshape", ((count, 2),)),
+            Measure::Centroid => Ok(values.reshape([count, 2])?.into_any()),
             _ => Ok(values.into_any()),
         };
     };
@@ -321,11 +338,10 @@ fn overlapped<'py, T: Format>(
     };
     let work = 8 * (vertices_a.len().max(count) + vertices_b.len().max(count));
     let Some(upstream) = upstream else {
-        let runs = in_runs(py, count, work, |run| {
-            let values = run.map(pair).map(|(a, b)| overlap.value(a, b));
-            values.collect::<Vec<T>>()
+        let values = listed(py, count, work, |run, values| {
+            values.extend(run.map(pair).map(|(a, b)| overlap.value(a, b)));
         })?;
-        return Ok(PyArray1::from_vec(py, runs.concat()).into_any());
+        return Ok(array_of(py, values).into_any());
     };
     let upstream = numbers::<T>(upstream)?;
     let runs = in_runs(py, count, work, |run| {

@@ -1,6 +1,8 @@
 //! Points and polygons: distances, and what contains what.
+use crate::at_once::plain_points;
+use crate::lent::array_of;
 use crate::polygon_calls::{
-    Bars, fill, in_format, in_runs, in_watched_runs, numbers, place, together,
+    Bars, fill, in_format, in_runs, in_watched_runs, listed, numbers, place, together,
 };
 use crate::polygons::{Format, Polygons, rows, vectors};
 use crate::raised;
@@ -72,12 +74,11 @@ fn distanced<'py, T: Format>(
     let mean = vertices.len() / of_polygons.max(1);
     let work = count.saturating_mul(mean + 1);
     let Some(upstream) = upstream else {
-        let runs = in_runs(py, count, work, |run| {
-            let values = run.map(pair);
-            let values = values.map(|(at, rings)| known(rings.signed_distance(at, fill)));
-            values.collect::<Vec<T>>()
+        let values = listed(py, count, work, |run, values| {
+            let all = run.map(pair);
+            values.extend(all.map(|(at, rings)| known(rings.signed_distance(at, fill))));
         })?;
-        return Ok(PyArray1::from_vec(py, runs.concat()).into_any());
+        return Ok(array_of(py, values).into_any());
     };
     let upstream = numbers::<T>(upstream)?;
     let runs = in_runs(py, count, work, |run| {
@@ -119,11 +120,21 @@ fn distanced<'py, T: Format>(
 pub fn polygon_contains<'py>(
     py: Python<'py>,
     points: &Object<'py>,
-    polygons: &Polygons,
+    polygons: &Bound<'py, Polygons>,
     rule: &str,
 ) -> PyResult<Object<'py>> {
+    let points = match plain_points(points, polygons.get()) {
+        Some(points) => points,
+        None => {
+            let converted = py.import("geograd._polygons")?.getattr("_spots")?;
+            converted.call1((points, polygons))?
+        }
+    };
     let is_double = points.cast::<PyArrayDyn<f64>>().is_ok();
-    in_format!(is_double, contained(py, points, polygons, fill(rule)?))
+    in_format!(
+        is_double,
+        contained(py, &points, polygons.get(), fill(rule)?)
+    )
 }
 
 fn contained<'py, T: Format>(

@@ -1,6 +1,7 @@
 //! The nearest edges of two columns of figures of the plane, item by item, and which areas hold which rings.
 use crate::arrays::offsets;
-use crate::polygon_calls::{in_format, in_runs, place, together};
+use crate::lent::array_of;
+use crate::polygon_calls::{in_format, in_runs, listed, place, together};
 use crate::polygons::{Format, Polygons, vectors};
 use geograd::Vec2;
 use geograd::polygon::{EdgeBoxes, Fill, Rings};
@@ -165,7 +166,7 @@ fn apart<'py, T: Format>(py: Python<'py>, a: &Polygons, b: &Polygons) -> PyResul
     let is_shared = counts.map(|own| own == 1 && count != 1);
     let shared = [0, 1].map(|k| is_shared[k].then(|| EdgeBoxes::of(at(k, 0))));
     let work = vertices.iter().map(|own| own.len().max(count)).sum();
-    let runs = in_runs(py, count, work, |run: Range<usize>| {
+    let distances = listed(py, count, work, |run: Range<usize>, found| {
         let mut rooms = [EdgeBoxes::default(), EdgeBoxes::default()];
         let distance = |item: usize| {
             let rings = [0, 1].map(|k| at(k, item));
@@ -185,9 +186,9 @@ fn apart<'py, T: Format>(py: Python<'py>, a: &Polygons, b: &Polygons) -> PyResul
                 false => nearest.distance,
             }
         };
-        run.map(distance).collect::<Vec<T>>()
+        found.extend(run.map(distance));
     })?;
-    Ok(PyArray1::from_vec(py, runs.concat()).into_any())
+    Ok(array_of(py, distances).into_any())
 }
 
 /// Returns `true` if a polygon has the first vertex of a ring of another one inside.

@@ -112,6 +112,10 @@ fn pool(threads: usize) -> PyResult<Arc<rayon::ThreadPool>> {
 /// The number of items below which a call runs on its own thread: the library does not split so small a batch.
 pub const FEW: usize = 2048;
 
+/// The number of items below which a call keeps Python's lock: it lasts some microseconds, and other threads wait for
+/// milliseconds anyway.
+const BRIEF: usize = 256;
+
 /// The milliseconds between two looks at Python's signals: a key press and its exception are less than twice as far
 /// apart, and a look takes some microseconds.
 const LOOKS: u64 = 100;
@@ -174,6 +178,9 @@ pub fn on_threads<R: Send>(
     run: impl FnOnce() -> R + Send,
 ) -> PyResult<R> {
     let threads = get_num_threads()?;
+    if items <= BRIEF {
+        return Ok(on_this_thread(run));
+    }
     if items <= FEW {
         return Ok(py.detach(|| on_this_thread(run)));
     }

@@ -1,5 +1,6 @@
 //! Verbs: a row for every choice of shapes.
 use crate::arrays::symbolic;
+use crate::at_once;
 use crate::catalogue::{self, Row};
 use crate::column::{CLOUD3, Column, Kind, NUMBER, NUMBERS, POLYLINE, POLYLINE3, RING};
 use crate::forms::Call;
@@ -583,6 +584,12 @@ impl Verb {
         out: Option<&Object<'py>>,
         backend: Option<&str>,
     ) -> PyResult<Object<'py>> {
+        if [kind, to, out].iter().all(Option::is_none)
+            && backend.is_none()
+            && let Some(value) = at_once::value(py, self.of(), arguments)?
+        {
+            return Ok(value);
+        }
         self.items(
             py,
             ("value", Form::Value),

@@ -56,7 +56,7 @@ macro_rules! straight {
             fn decided(&self, _: &$B) -> ((), [S; 0]) {
                 ((), [])
             }
-            #[inline]
+            // Not inlined: it is long, and every unit of code that may inline it has a copy.
             fn replayed(&self, other: &$B, (): &(), []: &[S; 0]) -> Relation<S> {
                 use super::apart::Apart as _;
                 self.relation(*other)

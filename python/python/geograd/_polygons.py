@@ -383,8 +383,7 @@ def contains(polygons, points, *, fill="even_odd"):
     ``"even_odd"``, those that an odd number of rings enclose, or ``"nonzero"``, those with a winding number other than
     zero. ``polygons`` may also be rings, geometries or boxes. A point that is not finite is in no polygon.
     """
-    polygons = Polygons.of(polygons)
-    return _core.polygon_contains(_spots(points, polygons), polygons, fill)
+    return _core.polygon_contains(points, Polygons.of(polygons), fill)
 
 
 class Overlay:
