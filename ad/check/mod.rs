@@ -203,7 +203,9 @@
 //! `compare/assessment`. [`examine`](fn@examine) walks the inputs, `shrink` makes refused ones simple, [`report`] has
 //! the lines, `words` the sentences. A function is a [`Subject`](subject::Subject): lists of numbers in and out.
 //!
-//! A traced scalar (`trace`) records every comparison and its margin, to distinguish a kink from a mistake. `rounding`
+//! A traced scalar (`trace`) records every comparison and its margin, to distinguish a kink from a mistake. The trace of a
+//! search is its record: steps with the same record judge its derivatives, whatever it compared on the way. Where branches
+//! meet among which it chooses, derivatives nearby differ from the tested one; only there a choice is accepted. `rounding`
 //! measures sensitivity: inputs move by an ulp, and a scalar of `noise` rounds at random. `with_sampling` adds the
 //! declarations of a sampling to a function: ties, resolution, domain. `strategy` draws for proptest from the same
 //! [`sample`]. `tests/corpus` measures the harness and other checkers. It has functions, faults made by operators and

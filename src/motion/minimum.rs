@@ -137,10 +137,15 @@ where
                     side(time + width + shift, decided[1]),
                 ]
             };
-            // The sides follow the crossing, so that it stays as far from them.
-            let (way, _) = tangents(sides(S::zero()), width);
-            let way_now = S::from_primal(way.primal());
-            let [before, after] = sides(way - way_now);
+            // The sides follow the crossing, so that it stays as far from them. Where distances bend, one step leaves the width in
+            // the derivative of its time, and two its square.
+            let (mut shift, mut way_now) = (S::zero(), S::zero());
+            for _ in 0..2 {
+                let (way, _) = tangents(sides(shift));
+                way_now = S::from_primal(way.primal());
+                shift += way - way_now;
+            }
+            let [before, after] = sides(shift);
             let [falls, rises] = [before.1, after.1].map(|rate| S::from_primal(rate.primal()));
             let share = rises.over(rises - falls);
             let found = (before.0 + before.1 * way_now) * share

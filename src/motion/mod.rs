@@ -43,7 +43,7 @@
 //! By the implicit function theorem the time of an impact has the derivative `−(∂f/∂θ)/(∂f/∂t)` with f the signed
 //! distance: two Newton steps from the number that was found, so that second derivatives are right, too. A least
 //! distance is of one of three kinds. At an end of the time it has the derivative of the distance at that time. Where the
-//! rate is zero, one Newton step by time makes derivatives of both orders right. Where bodies overlap, the depth out of
+//! rate is zero, two Newton steps by time make derivatives of both orders right. Where bodies overlap, the depth out of
 //! one face may fall while that out of another rises: there the time follows the crossing of both, and derivatives are
 //! shared by the rates. The time that is told has no derivative.
 //!
