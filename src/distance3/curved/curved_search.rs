@@ -267,20 +267,29 @@ impl Solids<'_> {
     }
 }
 
+impl<'a> Solids<'a> {
+    /// Creates the pair, of which nearest points are asked for.
+    fn new(a: &'a dyn Supported, b: &'a dyn Supported) -> Self {
+        let way = b.middle() - a.middle();
+        let size = a.size().max(b.size()).max(way.length());
+        Solids {
+            a,
+            b,
+            size: size.max(f64::MIN_POSITIVE),
+            side: 1.0,
+        }
+    }
+}
+
+/// Returns the touch of two solids that are clearly apart, and the equations about it, where that is simple.
+pub fn quick(a: &dyn Supported, b: &dyn Supported) -> Option<(Found, System)> {
+    Solids::new(a, b).quick()
+}
+
 /// Returns the touch that decides about the relation of two solids.
 pub fn search(a: &dyn Supported, b: &dyn Supported) -> Option<Found> {
-    let way = b.middle() - a.middle();
-    let size = a
-        .size()
-        .max(b.size())
-        .max(way.length())
-        .max(f64::MIN_POSITIVE);
-    let solids = Solids {
-        a,
-        b,
-        size,
-        side: 1.0,
-    };
+    let solids = Solids::new(a, b);
+    let (size, way) = (solids.size, b.middle() - a.middle());
     let first = match way.length_squared() > 0.0 {
         true => way,
         false => Vec3::new(0.0, 0.0, 1.0),
@@ -332,16 +341,9 @@ const ASCENTS: usize = 100;
 /// Returns the touch of the points of two solids that are the farthest from each other.
 pub fn search_farthest(a: &dyn Supported, b: &dyn Supported) -> Option<Found> {
     let way = b.middle() - a.middle();
-    let size = a
-        .size()
-        .max(b.size())
-        .max(way.length())
-        .max(f64::MIN_POSITIVE);
     let solids = Solids {
-        a,
-        b,
-        size,
         side: -1.0,
+        ..Solids::new(a, b)
     };
     let mut starts = vec![way];
     for code in 0..27 {

@@ -30,12 +30,15 @@ mod expand;
 mod hints;
 mod hull_solid;
 mod level;
+mod likely;
 mod piece;
+mod quick_search;
 mod smooth_solid;
 mod solid_pair;
 mod support;
 mod touch;
 mod touching;
+mod turned;
 
 use super::apart::Apart;
 use super::core::Core3;
@@ -98,8 +101,8 @@ pub(crate) trait Placed<S: Scalar>: Pieces<S> {
 }
 
 impl<S: Scalar> Pieces<S> for Solid<S> {
-    fn piece_at(&self, k: usize, _: Vec3<S>) -> Piece<S> {
-        self.piece(k)
+    fn piece_at(&self, k: usize, normal: Vec3<S>) -> Piece<S> {
+        self.seen(k, normal, false)
     }
 }
 
@@ -254,6 +257,9 @@ fn decided<S: Scalar>(
     scale: S,
     by_x: [S; 2],
 ) -> (CurvedRecord, Hints<S>) {
+    if !farthest && let Some((found, system)) = curved_search::quick(a, b) {
+        return hints::of(&found, &system, scale, by_x);
+    }
     let (found, side) = match farthest {
         true => (curved_search::search_farthest(a, b), -1.0),
         false => (curved_search::search(a, b), 1.0),

@@ -1,6 +1,8 @@
 //! Convex solids of plain numbers by their supports.
+use super::likely::Mix;
 use super::piece::{Piece, PieceKind, Place};
 use super::smooth_solid::Solid;
+use super::turned::TURNED;
 use crate::{Scalar, Vec3};
 
 /// A convex solid of plain numbers.
@@ -23,6 +25,22 @@ pub trait Supported {
             PieceKind::Line | PieceKind::Side => piece.from + piece.along * 0.5,
             _ => piece.from,
         }
+    }
+    /// Returns the farthest point in a direction, and a code of the corner, the end or the rim that it is on.
+    fn coded(&self, way: Vec3<f64>) -> (Vec3<f64>, usize) {
+        (self.support(way), 0)
+    }
+    /// Returns the number of the piece that the nearest point is on, and a place, given the points whose mean it is, that
+    /// mean, and the outer normal; `None` where it is not clear.
+    fn likely(&self, mix: &Mix, at: Vec3<f64>, normal: Vec3<f64>) -> Option<(usize, Place<f64>)>;
+    /// Returns the dimension of the set of highest points along a normal, within a slack.
+    fn flatness(&self, _normal: Vec3<f64>, _slack: f64) -> usize {
+        0
+    }
+    /// Returns `true` if no other points than those of a piece with a dimension are nearly as high along a normal, where
+    /// this matters for derivatives.
+    fn is_plain(&self, _normal: Vec3<f64>, _dimension: usize) -> bool {
+        true
     }
     /// Returns the number by which a replay evaluates a piece, and a point's place on that.
     fn replayed(&self, k: usize, place: &Place<f64>) -> (usize, Place<f64>) {
@@ -132,13 +150,23 @@ impl Supported for Solid<f64> {
     fn pieces(&self) -> usize {
         Solid::pieces(self)
     }
-    fn piece(&self, k: usize, _: Vec3<f64>) -> Piece<f64> {
-        Solid::piece(self, k)
+    fn piece(&self, k: usize, normal: Vec3<f64>) -> Piece<f64> {
+        self.seen(k, normal, true)
+    }
+    fn coded(&self, way: Vec3<f64>) -> (Vec3<f64>, usize) {
+        let point = self.support(way);
+        (point, self.code(way, point))
+    }
+    fn likely(&self, mix: &Mix, at: Vec3<f64>, normal: Vec3<f64>) -> Option<(usize, Place<f64>)> {
+        self.likely_piece(mix, at, normal)
+    }
+    fn flatness(&self, normal: Vec3<f64>, slack: f64) -> usize {
+        self.flat(normal, slack)
     }
     fn clamped(&self, k: usize, place: &Place<f64>) -> Place<f64> {
         let mut place = *place;
         place.s = place.s.clamp(0.0, 1.0);
-        if Solid::piece(self, k).kind == PieceKind::Face {
+        if k < TURNED && Solid::piece(self, k).kind == PieceKind::Face {
             let [x, y, _] = place.y;
             let [x, y] = match self {
                 Solid::Box { .. } => [x.clamp(-1.0, 1.0), y.clamp(-1.0, 1.0)],
@@ -203,7 +231,7 @@ pub fn start(piece: &Piece<f64>, at: Vec3<f64>, normal: Vec3<f64>, by_normal: bo
             place.pull = along[0] * x + along[1] * y;
         }
         PieceKind::Ball => place = on_ball(piece, arm, normal, by_normal),
-        PieceKind::Point | PieceKind::Line | PieceKind::Own => {}
+        PieceKind::Point | PieceKind::Line | PieceKind::Own | PieceKind::Ruled => {}
     }
     place
 }

@@ -7,6 +7,7 @@
 //! or has no extent, and where the distance is zero.
 use super::piece::{Piece, PieceKind, Place};
 use super::support::shares;
+use crate::arrays::Each;
 use crate::{Scalar, Vec3};
 
 /// The most unknowns: two of the normal, four of each place.
@@ -148,8 +149,11 @@ impl System {
                 m[share][k] = -sign * tangent.dot(step) * units.axis;
             }
         }
-        if kind == PieceKind::Own {
-            let [x, y, z] = piece.ways;
+        if kind.turns() {
+            let [x, y, z] = match kind {
+                PieceKind::Ruled => piece.ways.each_as(|way| way * piece.size(0, place.s)),
+                _ => piece.ways,
+            };
             for (row, tangent) in m.iter_mut().zip(&self.frame.tangents) {
                 for (place, &t) in row.iter_mut().zip(&self.frame.tangents) {
                     *place -= tangent.dot(x * t.x + y * t.y + z * t.z);
