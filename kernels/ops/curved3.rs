@@ -1,5 +1,5 @@
 //! Distances of curved shapes of space as operations, with a search that hands hints to the replay.
-use crate::distance3::curved::{CurvedRecord, HINTS, curved_replay, curved_search};
+use crate::distance3::curved::{CurvedRecord, HINTS, curved_distance, curved_replay, curved_search};
 use crate::distance3::{Apart, Contact3, PointPair3};
 use crate::kernels::ops::tables::sized;
 use crate::kernels::verbs::{ClosestPoints, Distance, Penetration, SignedDistance};
@@ -7,6 +7,15 @@ use crate::{
     Aabb3, Capsule3, Cone, Cylinder, Disc, Ellipsoid, Obb3, RoundBox3, Segment3, Sphere, Tetrahedron, Triangle3, Vec3,
     YawBox3,
 };
+
+/// Replays a search with points, or without for verbs that have none.
+macro_rules! replayed {
+    (distance, $a:ident, $b:ident, $record:ident, $hints:ident) => { curved_distance(&$a, &$b, $record, &$hints) };
+    (signed_distance, $a:ident, $b:ident, $record:ident, $hints:ident) => {
+        curved_distance(&$a, &$b, $record, &$hints)
+    };
+    ($replay:ident, $a:ident, $b:ident, $record:ident, $hints:ident) => { curved_replay(&$a, &$b, $record, &$hints) };
+}
 
 /// Writes operations of two shapes of which at least one is curved, and joins them to their verbs.
 ///
@@ -77,7 +86,7 @@ macro_rules! curved_rows {
                 record: CurvedRecord,
                 hints: [S; HINTS],
             ) -> $out {
-                curved_replay(&a, &b, record, &hints).$replay()
+                replayed!($replay, a, b, record, hints).$replay()
             }
         }
         curved_rows!(@join $Verb, $out, $replay, $A, $B, $N);

@@ -19,7 +19,7 @@ pub trait Pieces<S: Scalar>: Copy {
 }
 
 /// Returns the relation of two solids from a touch of their pieces. The side is −1 for points that are the farthest from
-/// each other, else 1.
+/// each other, else 1. Normal and points are zero unless they are asked for.
 // All pairs of shapes share it: a solid is one of a few.
 #[inline(never)]
 pub fn replay<S: Scalar>(
@@ -28,6 +28,7 @@ pub fn replay<S: Scalar>(
     record: CurvedRecord,
     hints: &Hints<S>,
     side: f64,
+    has_points: bool,
 ) -> Relation<S> {
     let Some([i, j]) = record.pieces.map(|both| both.map(|piece| piece as usize)) else {
         let (zero, none) = (S::zero(), Vec3::zero());
@@ -47,7 +48,7 @@ pub fn replay<S: Scalar>(
     };
     let step = |touch: &Touch<S>| {
         let (of_a, of_b) = pieces(touch);
-        let residuals = hints.frame.residuals([&of_a, &of_b], touch);
+        let residuals: [S; MOST] = hints.frame.residuals([&of_a, &of_b], touch);
         let residuals = residuals.each_as(vanish);
         let kinds = [of_a.kind, of_b.kind];
         let count = 2 + kinds[0].unknowns() + kinds[1].unknowns();
@@ -68,6 +69,16 @@ pub fn replay<S: Scalar>(
     }
     let [on_a, on_b] = points(&touch);
     let apart = touch.normal.dot(on_b - on_a);
+    if !has_points {
+        let none = Vec3::zero();
+        return Relation {
+            apart,
+            square: square_of_gap(apart),
+            normal: none,
+            on_a: none,
+            on_b: none,
+        };
+    }
     if record.settled {
         touch = step(&touch);
     }

@@ -12,7 +12,7 @@ use super::level::shared;
 use super::piece::{PieceKind, Place};
 use super::solid_pair::{Found, Solids};
 use super::support::Supported;
-use super::touch::{System, Touch, tangents};
+use super::touch::{FEW, MOST, System, Touch, tangents};
 use super::touching::{Candidate, candidates};
 use crate::Vec3;
 
@@ -67,7 +67,7 @@ impl Solids<'_> {
         let (mut touch, mut kept): (_, Option<(Found, f64)>) = (first, None);
         for step in 0..STEPS {
             let [a, b] = self.pieces(pieces, touch.normal);
-            let system = System::new([&a, &b], &touch);
+            let system: System<MOST> = System::new([&a, &b], &touch);
             let on = Touch {
                 normal: touch.normal,
                 a: self.a.clamped(pieces[0], &touch.a),
@@ -282,7 +282,7 @@ impl<'a> Solids<'a> {
 }
 
 /// Returns the touch of two solids that are clearly apart, and the equations about it, where that is simple.
-pub fn quick(a: &dyn Supported, b: &dyn Supported) -> Option<(Found, System)> {
+pub fn quick(a: &dyn Supported, b: &dyn Supported) -> Option<(Found, System<FEW>)> {
     Solids::new(a, b).quick()
 }
 

@@ -69,7 +69,9 @@ impl<S: Scalar> Hints<S> {
         let first = from.vector();
         let (over, axis) = (from.two(), from.two());
         let mut inverse = [[S::zero(); MOST]; MOST];
-        inverse.iter_mut().flatten().for_each(|x| *x = from.one());
+        for (row, numbers) in inverse.iter_mut().zip(from.0.chunks_exact(MOST)) {
+            row.copy_from_slice(numbers);
+        }
         Hints {
             scale,
             by_x,
@@ -105,9 +107,11 @@ impl<S: Scalar> Hints<S> {
             &[of_a.over, of_b.over, of_a.axis, of_b.axis],
         ];
         let mut all = [S::zero(); HINTS];
-        let numbers = head.into_iter().chain(inverse.iter().map(|row| &row[..]));
-        for (place, &x) in all.iter_mut().zip(numbers.flatten()) {
-            *place = x;
+        let mut rest = &mut all[..];
+        for numbers in head.into_iter().chain(inverse.iter().map(|row| &row[..])) {
+            let (here, behind) = rest.split_at_mut(numbers.len());
+            here.copy_from_slice(numbers);
+            rest = behind;
         }
         all
     }
@@ -122,16 +126,12 @@ fn constant<S: Scalar>(place: &Place<f64>) -> Place<S> {
     }
 }
 
-/// Returns a number as a constant whose square is finite in the format.
-fn bounded<S: Scalar>(x: f64) -> S {
-    let most = S::format().largest().sqrt();
-    S::lit(x.clamp(-most, most))
-}
 
 /// Returns the hints of a touch, given the equations about it, the units, and how directions across axes begin.
-pub fn of<S: Scalar>(
+#[inline]
+pub fn of<S: Scalar, const N: usize>(
     found: &Found,
-    system: &System,
+    system: &System<N>,
     scale: S,
     by_x: [S; 2],
 ) -> (CurvedRecord, Hints<S>) {
@@ -140,6 +140,15 @@ pub fn of<S: Scalar>(
         settled: found.settled,
     };
     let Frame { tangents, units } = &system.frame;
+    // Numbers as constants whose squares are finite in the format.
+    let most = S::format().largest().sqrt();
+    let bounded = |x: f64| S::lit(x.clamp(-most, most));
+    let mut inverse = [[S::zero(); MOST]; MOST];
+    for (row, by) in inverse.iter_mut().zip(system.inverse()).take(system.count) {
+        for (x, by) in row.iter_mut().zip(by).take(system.count) {
+            *x = bounded(by);
+        }
+    }
     let hints = Hints {
         scale,
         by_x,
@@ -155,7 +164,7 @@ pub fn of<S: Scalar>(
                 axis: bounded(units.axis),
             }),
         },
-        inverse: system.inverse().each_as(|row| row.each_as(bounded)),
+        inverse,
     };
     (record, hints)
 }

@@ -39,6 +39,8 @@ impl Mix {
 
 /// The sine of the angle between a normal and an axis below which a round piece moves too fast with the normal.
 const STEADY: f64 = 1e-3;
+/// The size of an ellipsoid below which squares are too small in some formats, relative to the pair's.
+const TINY: f64 = 1e-3;
 /// The share of the radius below which a point is on the flat end.
 const INNER: f64 = 0.75;
 
@@ -97,8 +99,9 @@ impl Solid<f64> {
             Solid::Ball { ways, half, .. } => {
                 let along = [0, 1, 2].map(|k| half[k] * ways[k].dot(normal));
                 let most = half.iter().copied().fold(0.0, f64::max);
-                let length = Vec3::new(along[0], along[1], along[2]).length();
-                (length > STEADY * most).then_some((TURNED, Place::zero()))
+                let square = along.iter().map(|x| x * x).sum::<f64>();
+                let least = STEADY * most.max(TINY);
+                (square > least * least).then_some((TURNED, Place::zero()))
             }
             Solid::Disc {
                 center,

@@ -48,7 +48,7 @@ use super::half_space::Bounded;
 use super::relation::{Relation, direction, square_of_gap};
 use crate::arrays::Each;
 use crate::distance::edge::scale_of;
-use crate::scalar::{Guard, noted};
+use crate::scalar::{Guard, largest, noted};
 use crate::shape::{
     Aabb3, Capsule3, Cone, Cylinder, Disc, Ellipsoid, Obb3, RoundBox3, Segment3, Tetrahedron,
     Triangle3, YawBox3,
@@ -61,7 +61,7 @@ pub(crate) use hints::{CurvedRecord, HINTS};
 use piece::Piece;
 use smooth_solid::{Solid, across, begins_by_x};
 use support::Supported;
-use touch::System;
+use touch::{MOST, System};
 
 /// A convex shape of space whose surface consists of smooth pieces, inflated by a radius.
 pub(crate) trait Curved: Copy + Pack<Scalar: Scalar> {
@@ -74,6 +74,11 @@ pub(crate) trait Curved: Copy + Pack<Scalar: Scalar> {
     #[inline]
     fn axis(&self) -> Option<Vec3<Self::Scalar>> {
         None
+    }
+    /// Returns the largest magnitude of a coordinate relative to a point, or of a length.
+    fn reach(&self, from: Vec3<Self::Scalar>) -> <Self::Scalar as Scalar>::Primal {
+        self.in_units(from, Self::Scalar::one(), Self::Scalar::zero())
+            .reach()
     }
     /// Returns the shape relative to a point, in other units. Directions across its axis begin by x where a number is
     /// one, by y where it is zero.
@@ -116,6 +121,11 @@ impl<S: Scalar> Placed<S> for Solid<S> {
     }
 }
 
+/// Returns the largest magnitude of a vector's coordinates.
+fn size_of<S: Scalar>(v: Vec3<S>) -> S::Primal {
+    largest([v.x, v.y, v.z])
+}
+
 /// Returns half of a size along each axis.
 fn halves<S: Scalar>(size: Vec3<S>) -> [S; 3] {
     [size.x, size.y, size.z]
@@ -125,6 +135,9 @@ impl<S: Scalar> Curved for Ellipsoid<S> {
     type Placed = Solid<S>;
     fn anchor_point(&self) -> Vec3<S> {
         self.center
+    }
+    fn reach(&self, from: Vec3<S>) -> S::Primal {
+        size_of(self.center - from).most(largest(halves(self.semi_axes)))
     }
     fn in_units(&self, from: Vec3<S>, scale: S, _: S) -> Solid<S> {
         let ball = Solid::Ball {
@@ -144,6 +157,9 @@ impl<S: Scalar> Curved for Disc<S> {
     fn axis(&self) -> Option<Vec3<S>> {
         Some(self.normal)
     }
+    fn reach(&self, from: Vec3<S>) -> S::Primal {
+        size_of(self.center - from).most(largest([self.radius]))
+    }
     fn in_units(&self, from: Vec3<S>, scale: S, by_x: S) -> Solid<S> {
         let disc = Solid::Disc {
             center: self.center,
@@ -161,6 +177,12 @@ impl<S: Scalar> Curved for Cylinder<S> {
     }
     fn axis(&self) -> Option<Vec3<S>> {
         Some(self.end - self.start)
+    }
+    fn reach(&self, from: Vec3<S>) -> S::Primal {
+        let axis = size_of(self.end - self.start);
+        size_of(self.start - from)
+            .most(axis)
+            .most(largest([self.radius]))
     }
     fn in_units(&self, from: Vec3<S>, scale: S, by_x: S) -> Solid<S> {
         let axis = self.end - self.start;
@@ -181,6 +203,12 @@ impl<S: Scalar> Curved for Cone<S> {
     }
     fn axis(&self) -> Option<Vec3<S>> {
         Some(self.base - self.apex)
+    }
+    fn reach(&self, from: Vec3<S>) -> S::Primal {
+        let axis = size_of(self.base - self.apex);
+        size_of(self.apex - from)
+            .most(axis)
+            .most(largest([self.radius]))
     }
     fn in_units(&self, from: Vec3<S>, scale: S, by_x: S) -> Solid<S> {
         let axis = self.base - self.apex;
@@ -230,11 +258,7 @@ where
     let from = a.anchor_point().constant();
     let begin = |axis: Option<Vec3<S>>| axis.map_or(S::zero(), begins_by_x);
     let by_x = [begin(a.axis()), begin(b.axis())];
-    let one = S::one();
-    let reach = a
-        .in_units(from, one, by_x[0])
-        .reach()
-        .most(b.in_units(from, one, by_x[1]).reach());
+    let reach = a.reach(from).most(b.reach(from));
     let scale = scale_of::<S>(reach);
     let of_a = a.in_units(from, scale, by_x[0]).plain();
     let of_b = b.in_units(from, scale, by_x[1]).plain();
@@ -268,7 +292,7 @@ fn decided<S: Scalar>(
         Some(found) => {
             let found = found.replayed([a, b]);
             let [of_a, of_b] = solid_pair::pieces([a, b], &found, side);
-            let system = System::new([&of_a, &of_b], &found.touch);
+            let system: System<MOST> = System::new([&of_a, &of_b], &found.touch);
             hints::of(&found, &system, scale, by_x)
         }
         None => hints::none(),
@@ -281,6 +305,7 @@ fn related<S, A, B>(
     b: &B,
     (record, hints): &(CurvedRecord, Hints<S>),
     side: f64,
+    has_points: bool,
 ) -> Relation<S>
 where
     S: Scalar,
@@ -293,7 +318,7 @@ where
         a.in_units(from, hints.scale, of_a),
         b.in_units(from, hints.scale, of_b),
     );
-    let found = replay(&of_a, &of_b, *record, hints, side);
+    let found = replay(&of_a, &of_b, *record, hints, side, has_points);
     let back = S::one().over(hints.scale);
     let apart = found.apart * back;
     Relation {
@@ -330,7 +355,23 @@ where
     A: Curved<Scalar = S>,
     B: Curved<Scalar = S>,
 {
-    inflated(a, b, related(a, b, &(record, Hints::load(hints)), 1.0))
+    inflated(a, b, related(a, b, &(record, Hints::load(hints)), 1.0, true))
+}
+
+/// Returns the relation that [`curved_replay`] returns, without normal and points.
+#[must_use]
+pub(crate) fn curved_distance<S, A, B>(
+    a: &A,
+    b: &B,
+    record: CurvedRecord,
+    hints: &[S; HINTS],
+) -> Relation<S>
+where
+    S: Scalar,
+    A: Curved<Scalar = S>,
+    B: Curved<Scalar = S>,
+{
+    inflated(a, b, related(a, b, &(record, Hints::load(hints)), 1.0, false))
 }
 
 /// Returns the relation of two shapes from that of the solids which they inflate.
@@ -356,7 +397,7 @@ where
     A: Curved<Scalar = S>,
     B: Curved<Scalar = S>,
 {
-    inflated(&a, &b, related(&a, &b, &search(&a, &b, false), 1.0))
+    inflated(&a, &b, related(&a, &b, &search(&a, &b, false), 1.0, true))
 }
 
 /// Returns the longest distance of points of two shapes.
@@ -366,7 +407,7 @@ where
     A: Curved<Scalar = S>,
     B: Curved<Scalar = S>,
 {
-    let longest = related(&a, &b, &search(&a, &b, true), -1.0).apart;
+    let longest = related(&a, &b, &search(&a, &b, true), -1.0, false).apart;
     let none = longest.at_most(S::zero());
     let radii = [a.rounding(), b.rounding()].map(|radius| radius.unwrap_or(S::zero()));
     let longest = if none { S::zero() } else { longest };

@@ -8,7 +8,7 @@ use super::super::gjk::{CodedDifference, Gap, gap_until};
 use super::likely::Mix;
 use super::piece::{Piece, PieceKind, Place};
 use super::solid_pair::{Found, Solids};
-use super::touch::{System, Touch};
+use super::touch::{FEW, System, Touch};
 use crate::Vec3;
 
 /// The relative gaps of both bounds of the squared distance at which Newton's steps are tried.
@@ -39,7 +39,7 @@ fn shift(p: &Place<f64>, q: &Place<f64>) -> f64 {
 impl Solids<'_> {
     /// Returns the touch to which Newton's steps lead from the pieces that an iteration has reached, if it is proved to be
     /// the only one, and the equations about it.
-    fn guessed(&self, gap: &Gap<CodedDifference>) -> Option<(Found, System)> {
+    fn guessed(&self, gap: &Gap<CodedDifference>) -> Option<(Found, System<FEW>)> {
         let mut mixes = [Mix::default(); 2];
         let (mut on_a, mut on_b) = (Vec3::zero(), Vec3::zero());
         for (corner, weight) in gap.weighted() {
@@ -48,13 +48,13 @@ impl Solids<'_> {
             on_a += corner.a * weight;
             on_b += corner.b * weight;
         }
-        let normal = gap.way * (1.0 / gap.way.length());
+        let normal = gap.way * (1.0 / gap.way.length_squared().sqrt());
         let (i, a) = self.a.likely(&mixes[0], on_a, normal)?;
         let (j, b) = self.b.likely(&mixes[1], on_b, -normal)?;
         let mut touch = Touch { normal, a, b };
         for _ in 0..STEPS {
             let [of_a, of_b] = self.pieces([i, j], touch.normal);
-            let system = System::new([&of_a, &of_b], &touch);
+            let system: System<FEW> = System::new([&of_a, &of_b], &touch);
             let residuals = system.frame.residuals([&of_a, &of_b], &touch);
             let changes = system.solve(&residuals);
             let change = changes[..system.count].iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -80,7 +80,7 @@ impl Solids<'_> {
             b: self.b.clamped(pieces[1], &touch.b),
         };
         let [a, b]: [Piece<f64>; 2] = self.pieces(pieces, normal);
-        let error = ((b.at(&on.b) - a.at(&on.a)) - normal * value).length();
+        let error = ((b.at(&on.b) - a.at(&on.a)) - normal * value).length_squared().sqrt();
         let off = shift(&touch.a, &on.a) + shift(&touch.b, &on.b);
         let exact = error <= EXACT * self.size && value > APART * self.size && off <= LAST * LAST;
         if !exact {
@@ -101,7 +101,7 @@ impl Solids<'_> {
         })
     }
     /// Returns the only touch of solids that are clearly apart, and the equations about it, if it is found at once.
-    pub fn quick(&self) -> Option<(Found, System)> {
+    pub fn quick(&self) -> Option<(Found, System<FEW>)> {
         let way = self.b.middle() - self.a.middle();
         let lowest = |way: Vec3<f64>| {
             let ((a, of_a), (b, of_b)) = (self.a.coded(way), self.b.coded(-way));

@@ -57,9 +57,19 @@ fn unit([x, y]: [f64; 2]) -> [f64; 2] {
     }
 }
 
+/// The square of a length above which it is computed by its square.
+const LONG: f64 = 1e-200;
+
 /// Returns the farthest point of a disc about the origin.
+#[inline(always)]
 fn on_circle(ways: [Vec3<f64>; 2], radius: f64, way: Vec3<f64>) -> Vec3<f64> {
-    let [x, y] = unit(ways.map(|own| own.dot(way)));
+    let [x, y] = ways.map(|own| own.dot(way));
+    let square = x * x + y * y;
+    if square > LONG {
+        let by = radius / square.sqrt();
+        return ways[0] * (x * by) + ways[1] * (y * by);
+    }
+    let [x, y] = unit([x, y]);
     (ways[0] * x + ways[1] * y) * radius
 }
 
@@ -68,11 +78,15 @@ impl Supported for Solid<f64> {
         match *self {
             Solid::Ball { center, ways, half } => {
                 let y = [0, 1, 2].map(|k| half[k] * ways[k].dot(way));
-                let length = Vec3::new(y[0], y[1], y[2]).length();
-                match length > 0.0 {
-                    true => (0..3).fold(center, |at, k| at + ways[k] * (half[k] * y[k] / length)),
-                    false => center,
-                }
+                let square = y[0] * y[0] + y[1] * y[1] + y[2] * y[2];
+                let over = match square > LONG {
+                    true => 1.0 / square.sqrt(),
+                    false => {
+                        let length = Vec3::new(y[0], y[1], y[2]).length();
+                        if length > 0.0 { 1.0 / length } else { 0.0 }
+                    }
+                };
+                (0..3).fold(center, |at, k| at + ways[k] * (half[k] * (y[k] * over)))
             }
             Solid::Disc {
                 center,
@@ -133,7 +147,7 @@ impl Supported for Solid<f64> {
     fn size(&self) -> f64 {
         match *self {
             Solid::Ball { half, .. } | Solid::Box { half, .. } => {
-                Scalar::hypot(Scalar::hypot(half[0], half[1]), half[2])
+                Vec3::new(half[0], half[1], half[2]).length()
             }
             Solid::Disc { radius, .. } => radius,
             Solid::Cylinder { axis, radius, .. } | Solid::Cone { axis, radius, .. } => {

@@ -12,6 +12,8 @@ use crate::{Scalar, Vec3};
 
 /// The most unknowns: two of the normal, four of each place.
 pub const MOST: usize = 10;
+/// The most unknowns of pieces without coordinates of length one: two of the normal, two of each place.
+pub const FEW: usize = 6;
 /// A pivot below which an equation depends on others, relative to its largest coefficient.
 const DEPENDENT: f64 = 1e-12;
 /// A largest coefficient below which an equation says nothing; its inverse is finite in every format.
@@ -39,13 +41,16 @@ pub struct Units<S> {
 
 impl Units<f64> {
     fn of(piece: &Piece<f64>, place: &Place<f64>) -> Self {
-        let length = piece.by_share(place).length();
-        let most = piece.sizes.iter().copied().fold(0.0, f64::max);
+        let length = match piece.kind.has_axis() {
+            true => piece.by_share(place).length(),
+            false => 0.0,
+        };
+        let most = match piece.kind {
+            PieceKind::Ball => piece.sizes.iter().copied().fold(0.0, f64::max),
+            _ => 0.0,
+        };
         Units {
-            over: match piece.kind == PieceKind::Ball && most > 0.0 {
-                true => 1.0 / most,
-                false => 0.0,
-            },
+            over: if most > 0.0 { 1.0 / most } else { 0.0 },
             axis: if length > 0.0 { 1.0 / length } else { 0.0 },
         }
     }
@@ -67,7 +72,7 @@ pub fn tangents(normal: Vec3<f64>) -> [Vec3<f64>; 2] {
         false => Vec3::new(0.0, 1.0, 0.0),
     };
     let first = normal.cross(axis);
-    let first = first * (1.0 / first.length());
+    let first = first * (1.0 / first.length_squared().sqrt());
     [first, normal.cross(first)]
 }
 
@@ -78,19 +83,20 @@ pub fn lit<S: Scalar>(v: Vec3<f64>) -> Vec3<S> {
 
 /// The equations about a touch: their derivatives by all unknowns, decomposed. Equations that depend on others are left
 /// out, with as many unknowns, which keep their values.
-pub struct System {
-    matrix: [[f64; MOST]; MOST],
+#[derive(Clone, Copy)]
+pub struct System<const N: usize> {
+    matrix: [[f64; N]; N],
     /// The number of unknowns.
     pub count: usize,
     /// The number of independent equations.
     pub rank: usize,
-    rows: [usize; MOST],
-    columns: [usize; MOST],
+    rows: [usize; N],
+    columns: [usize; N],
     /// Its constants.
     pub frame: Frame<f64>,
 }
 
-impl System {
+impl<const N: usize> System<N> {
     /// Returns the system of two pieces near a touch.
     pub fn new(pieces: [&Piece<f64>; 2], touch: &Touch<f64>) -> Self {
         let places = [&touch.a, &touch.b];
@@ -98,7 +104,7 @@ impl System {
             .normal
             .dot(pieces[1].at(&touch.b) - pieces[0].at(&touch.a));
         let mut system = System {
-            matrix: [[0.0; MOST]; MOST],
+            matrix: [[0.0; N]; N],
             count: 2,
             rank: 0,
             rows: std::array::from_fn(|k| k),
@@ -165,7 +171,7 @@ impl System {
     /// Decomposes the matrix, the largest pivot first.
     fn decompose(&mut self) {
         let (n, m) = (self.count, &mut self.matrix);
-        let mut scales = [0.0; MOST];
+        let mut scales = [0.0; N];
         for (scale, row) in scales.iter_mut().zip(&*m).take(n) {
             let most = row[..n].iter().fold(0.0_f64, |most, x| most.max(x.abs()));
             *scale = if most > NONE { 1.0 / most } else { 0.0 };
@@ -197,14 +203,14 @@ impl System {
         }
     }
     /// Returns the changes of the unknowns that make up for residuals.
-    pub fn solve(&self, residuals: &[f64; MOST]) -> [f64; MOST] {
+    pub fn solve(&self, residuals: &[f64; N]) -> [f64; N] {
         let factor = |i: usize, j: usize| self.matrix[self.rows[i]][self.columns[j]];
-        let mut sums = [0.0; MOST];
+        let mut sums = [0.0; N];
         for i in 0..self.rank {
             let all = residuals[self.rows[i]];
             sums[i] = (0..i).fold(all, |sum, j| sum - sums[j] * factor(i, j));
         }
-        let mut changes = [0.0; MOST];
+        let mut changes = [0.0; N];
         for i in (0..self.rank).rev() {
             let later = i + 1..self.rank;
             let sum = later.fold(sums[i], |sum, j| {
@@ -217,10 +223,10 @@ impl System {
     }
     /// Returns the inverse of the matrix: the changes by each residual. Rows and columns of equations that are left out
     /// are zero.
-    pub fn inverse(&self) -> [[f64; MOST]; MOST] {
-        let mut inverse = [[0.0; MOST]; MOST];
+    pub fn inverse(&self) -> [[f64; N]; N] {
+        let mut inverse = [[0.0; N]; N];
         for k in 0..self.count {
-            let mut residuals = [0.0; MOST];
+            let mut residuals = [0.0; N];
             residuals[k] = 1.0;
             for (row, change) in inverse.iter_mut().zip(self.solve(&residuals)) {
                 row[k] = change;
@@ -232,8 +238,8 @@ impl System {
 
 impl<S: Scalar> Frame<S> {
     /// Returns by how much a touch misses the equations.
-    pub fn residuals(&self, pieces: [&Piece<S>; 2], touch: &Touch<S>) -> [S; MOST] {
-        let mut out = [S::zero(); MOST];
+    pub fn residuals<const N: usize>(&self, pieces: [&Piece<S>; 2], touch: &Touch<S>) -> [S; N] {
+        let mut out = [S::zero(); N];
         let way = pieces[1].at(&touch.b) - pieces[0].at(&touch.a);
         let gap = touch.normal.dot(way);
         for (out, &tangent) in out.iter_mut().zip(&self.tangents) {
@@ -272,12 +278,13 @@ impl<S: Scalar> Frame<S> {
         out
     }
     /// Returns a touch less some changes; coordinates of length one keep it.
-    pub fn moved(&self, kinds: [PieceKind; 2], touch: &Touch<S>, changes: &[S; MOST]) -> Touch<S> {
+    pub fn moved(&self, kinds: [PieceKind; 2], touch: &Touch<S>, changes: &[S]) -> Touch<S> {
         let mut next = *touch;
         for (&tangent, &change) in self.tangents.iter().zip(changes) {
             next.normal -= tangent * change;
         }
-        next.normal = next.normal.normalize_or_zero();
+        // Of about length one, so that its square is in the format.
+        next.normal = next.normal * S::one().over(next.normal.length_squared().root());
         let mut at = 2;
         for (kind, place) in kinds.into_iter().zip([&mut next.a, &mut next.b]) {
             let ways = 0..kind.ways();

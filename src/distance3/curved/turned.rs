@@ -19,7 +19,8 @@ impl<S: Scalar> Turn<S> {
     fn of_ball(ways: [Vec3<S>; 3], half: [S; 3], normal: Vec3<S>, slopes: bool) -> Self {
         let along = |k: usize| half[k] * ways[k].dot(normal);
         let y = Vec3::new(along(0), along(1), along(2));
-        let over = S::one().over(y.length());
+        // The search takes it for halves that are not tiny.
+        let over = S::one().over(y.length_squared().root());
         let [x, y, z] = [y.x, y.y, y.z];
         let arm = ways[0] * (half[0] * x * over)
             + ways[1] * (half[1] * y * over)
