@@ -126,7 +126,6 @@ fn constant<S: Scalar>(place: &Place<f64>) -> Place<S> {
     }
 }
 
-
 /// Returns the hints of a touch, given the equations about it, the units, and how directions across axes begin.
 #[inline]
 pub fn of<S: Scalar, const N: usize>(

@@ -1,5 +1,6 @@
 //! Hulls as solids of smooth pieces: corners, edges, and faces, each by three corners that span it.
 use super::curved_replay::Pieces;
+use super::grip::Grip;
 use super::likely::{Mix, along, within};
 use super::piece::{Piece, PieceKind, Place};
 use super::support::{Supported, start};
@@ -21,9 +22,11 @@ use std::cell::OnceCell;
 
 /// The corners of a piece, by their numbers: of a corner one, of an edge two, of a face three that span it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Named {
-    corners: [usize; 3],
-    count: usize,
+pub struct Named {
+    /// Their numbers; missing ones repeat the first.
+    pub corners: [usize; 3],
+    /// How many there are.
+    pub count: usize,
 }
 
 /// The bits of the number of a corner.
@@ -184,7 +187,8 @@ impl HullPieces {
     fn level(&self, normal: Vec3<f64>, slack: f64) -> usize {
         let (_, highest) = self.columns.highest(normal);
         let mut count = 0;
-        self.columns.above(normal, normal.dot(highest) - slack, |_| count += 1);
+        self.columns
+            .above(normal, normal.dot(highest) - slack, |_| count += 1);
         count.clamp(1, 4) - 1
     }
     /// Returns a piece by its place in the list or by its number.
@@ -305,6 +309,9 @@ impl Supported for HullPieces {
 
 impl<S: Scalar, const N: usize> Placed<S> for HullInUnits<S, N> {
     type Plain = HullPieces;
+    fn grip(&self, k: usize, place: &Place<S>, _: Vec3<S>) -> Option<Grip<S>> {
+        Named::of(k).map(|named| named.grip(place))
+    }
     fn reach(&self) -> S::Primal {
         let all = self.points[..self.count].iter();
         all.fold(S::Primal::zero(), |most, p| {

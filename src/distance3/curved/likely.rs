@@ -29,7 +29,9 @@ impl Mix {
     /// Returns the sum of the weights of codes for which something holds.
     pub fn sum(&self, holds: impl Fn(usize) -> bool) -> f64 {
         let all = self.codes().iter().zip(self.weights);
-        all.filter(|(code, _)| holds(**code)).map(|both| both.1).sum()
+        all.filter(|(code, _)| holds(**code))
+            .map(|both| both.1)
+            .sum()
     }
     /// Returns the weight of a code.
     pub fn weight(&self, code: usize) -> f64 {
@@ -85,16 +87,22 @@ impl Solid<f64> {
     }
     /// Returns the number of a piece and a place on it, given the points whose mean is the nearest one, that point, and the
     /// outer normal; `None` where it is not clear.
-    pub fn likely_piece(&self, mix: &Mix, at: Vec3<f64>, normal: Vec3<f64>) -> Option<(usize, Place<f64>)> {
-        let circle = |face: usize, rim: usize, center: Vec3<f64>, ways: &[Vec3<f64>; 2], radius: f64| {
-            let steep = steep(ways, normal);
-            let [x, y] = ways.map(|way| way.dot(at - center));
-            if steep < 0.5 && x * x + y * y < INNER * INNER * radius * radius {
-                let piece = Piece::plane(PieceKind::Face, center, *ways, [radius; 2]);
-                return Some((face, start(&piece, at, normal, true)));
-            }
-            (steep > STEADY).then_some((TURNED + rim, Place::zero()))
-        };
+    pub fn likely_piece(
+        &self,
+        mix: &Mix,
+        at: Vec3<f64>,
+        normal: Vec3<f64>,
+    ) -> Option<(usize, Place<f64>)> {
+        let circle =
+            |face: usize, rim: usize, center: Vec3<f64>, ways: &[Vec3<f64>; 2], radius: f64| {
+                let steep = steep(ways, normal);
+                let [x, y] = ways.map(|way| way.dot(at - center));
+                if steep < 0.5 && x * x + y * y < INNER * INNER * radius * radius {
+                    let piece = Piece::plane(PieceKind::Face, center, *ways, [radius; 2]);
+                    return Some((face, start(&piece, at, normal, true)));
+                }
+                (steep > STEADY).then_some((TURNED + rim, Place::zero()))
+            };
         match *self {
             Solid::Ball { ways, half, .. } => {
                 let along = [0, 1, 2].map(|k| half[k] * ways[k].dot(normal));
@@ -172,7 +180,10 @@ impl Solid<f64> {
 
 /// Returns the piece of a box: corners that differ along one axis have an edge, along two a face.
 fn of_box(mix: &Mix) -> Option<(usize, Place<f64>)> {
-    let (all, any) = mix.codes().iter().fold((7, 0), |(all, any), &code| (all & code, any | code));
+    let (all, any) = mix
+        .codes()
+        .iter()
+        .fold((7, 0), |(all, any), &code| (all & code, any | code));
     let free = all ^ any;
     let share = |k: usize| mix.sum(|code| code >> k & 1 == 1);
     let bit = |k: usize| all >> k & 1;
@@ -198,7 +209,9 @@ fn of_simplex(solid: &Solid<f64>, count: usize, mix: &Mix) -> Option<(usize, Pla
     match *mix.codes() {
         [i] => Some((i, Place::zero())),
         [i, j] => {
-            let k = EDGES.iter().position(|&edge| edge == [i, j] || edge == [j, i])?;
+            let k = EDGES
+                .iter()
+                .position(|&edge| edge == [i, j] || edge == [j, i])?;
             Some((count + k, along(mix.weight(EDGES[k][1]))))
         }
         [i, j, k] => {

@@ -27,6 +27,7 @@ mod by_support;
 mod curved_replay;
 mod curved_search;
 mod expand;
+mod grip;
 mod hints;
 mod hull_solid;
 mod level;
@@ -56,9 +57,11 @@ use crate::shape::{
 use crate::{Pack, Scalar, Vec3};
 pub use by_support::{BySupport, SupportFunction};
 use curved_replay::{Pieces, replay};
+use grip::Grip;
+pub(crate) use grip::{Gripped, curved_slopes};
 use hints::Hints;
 pub(crate) use hints::{CurvedRecord, HINTS};
-use piece::Piece;
+use piece::{Piece, Place};
 use smooth_solid::{Solid, across, begins_by_x};
 use support::Supported;
 use touch::{MOST, System};
@@ -101,6 +104,11 @@ pub(crate) trait Placed<S: Scalar>: Pieces<S> {
     type Plain: Supported;
     /// Returns the largest magnitude of a coordinate or length.
     fn reach(&self) -> S::Primal;
+    /// Returns the place on a piece in the shape's own terms, given its number and the outer normal; `None` for a shape
+    /// that has none.
+    fn grip(&self, _k: usize, _place: &Place<S>, _normal: Vec3<S>) -> Option<Grip<S>> {
+        None
+    }
     /// Returns the shape of plain numbers; `None` where one is not finite.
     fn plain(&self) -> Option<Self::Plain>;
 }
@@ -115,6 +123,9 @@ impl<S: Scalar> Placed<S> for Solid<S> {
     type Plain = Solid<f64>;
     fn reach(&self) -> S::Primal {
         Solid::reach(self)
+    }
+    fn grip(&self, k: usize, place: &Place<S>, normal: Vec3<S>) -> Option<Grip<S>> {
+        Some(self.held(k, place, normal))
     }
     fn plain(&self) -> Option<Solid<f64>> {
         self.widened()
@@ -355,7 +366,11 @@ where
     A: Curved<Scalar = S>,
     B: Curved<Scalar = S>,
 {
-    inflated(a, b, related(a, b, &(record, Hints::load(hints)), 1.0, true))
+    inflated(
+        a,
+        b,
+        related(a, b, &(record, Hints::load(hints)), 1.0, true),
+    )
 }
 
 /// Returns the relation that [`curved_replay`] returns, without normal and points.
@@ -371,7 +386,11 @@ where
     A: Curved<Scalar = S>,
     B: Curved<Scalar = S>,
 {
-    inflated(a, b, related(a, b, &(record, Hints::load(hints)), 1.0, false))
+    inflated(
+        a,
+        b,
+        related(a, b, &(record, Hints::load(hints)), 1.0, false),
+    )
 }
 
 /// Returns the relation of two shapes from that of the solids which they inflate.

@@ -57,13 +57,19 @@ impl Solids<'_> {
             let system: System<FEW> = System::new([&of_a, &of_b], &touch);
             let residuals = system.frame.residuals([&of_a, &of_b], &touch);
             let changes = system.solve(&residuals);
-            let change = changes[..system.count].iter().map(|x| x * x).sum::<f64>().sqrt();
+            let change = changes[..system.count]
+                .iter()
+                .map(|x| x * x)
+                .sum::<f64>()
+                .sqrt();
             if system.rank < system.count || !change.is_finite() {
                 return None;
             }
             let limit = (0.5 / change).min(1.0);
             let kinds = [of_a.kind, of_b.kind];
-            touch = system.frame.moved(kinds, &touch, &changes.map(|x| x * limit));
+            touch = system
+                .frame
+                .moved(kinds, &touch, &changes.map(|x| x * limit));
             if change <= LAST {
                 return self.proved([i, j], &touch).map(|found| (found, system));
             }
@@ -80,7 +86,9 @@ impl Solids<'_> {
             b: self.b.clamped(pieces[1], &touch.b),
         };
         let [a, b]: [Piece<f64>; 2] = self.pieces(pieces, normal);
-        let error = ((b.at(&on.b) - a.at(&on.a)) - normal * value).length_squared().sqrt();
+        let error = ((b.at(&on.b) - a.at(&on.a)) - normal * value)
+            .length_squared()
+            .sqrt();
         let off = shift(&touch.a, &on.a) + shift(&touch.b, &on.b);
         let exact = error <= EXACT * self.size && value > APART * self.size && off <= LAST * LAST;
         if !exact {
@@ -88,7 +96,10 @@ impl Solids<'_> {
         }
         let own = [dimension(a.kind), dimension(b.kind)];
         let slack = EXACT * self.size;
-        let flat = [self.a.flatness(normal, slack), self.b.flatness(-normal, slack)];
+        let flat = [
+            self.a.flatness(normal, slack),
+            self.b.flatness(-normal, slack),
+        ];
         let level = flat[0] > 0 && flat[1] > 0 && flat != own;
         let plain = self.a.is_plain(normal, own[0]) && self.b.is_plain(-normal, own[1]);
         (plain && !level).then_some(Found {
