@@ -158,18 +158,24 @@ fn nearest<D: Difference>(simplex: &[D], apart: bool) -> Option<[f64; 4]> {
         [p, q, r, s] => {
             let all = [p.way(), q.way(), r.way(), s.way()];
             let (mut best, mut inside) = (f64::INFINITY, true);
-            for [i, j, k, behind] in [[0, 1, 2, 3], [0, 2, 3, 1], [0, 3, 1, 2], [1, 3, 2, 0]] {
-                let normal = (all[j] - all[i]).cross(all[k] - all[i]);
-                let (origin, last) = (-normal.dot(all[i]), normal.dot(all[behind] - all[i]));
-                if !apart && origin * last > 0.0 {
-                    continue;
+            // Of solids that are apart, faces with the origin behind them count only if rounding has put it behind all.
+            for all_faces in [false, true] {
+                for [i, j, k, behind] in [[0, 1, 2, 3], [0, 2, 3, 1], [0, 3, 1, 2], [1, 3, 2, 0]] {
+                    let normal = (all[j] - all[i]).cross(all[k] - all[i]);
+                    let (origin, last) = (-normal.dot(all[i]), normal.dot(all[behind] - all[i]));
+                    if !all_faces && origin * last > 0.0 {
+                        continue;
+                    }
+                    inside = false;
+                    let (parts, square) = of_triangle([all[i], all[j], all[k]]);
+                    if square < best {
+                        best = square;
+                        weights = [0.0; 4];
+                        (weights[i], weights[j], weights[k]) = (parts[0], parts[1], parts[2]);
+                    }
                 }
-                inside = false;
-                let (parts, square) = of_triangle([all[i], all[j], all[k]]);
-                if square < best {
-                    best = square;
-                    weights = [0.0; 4];
-                    (weights[i], weights[j], weights[k]) = (parts[0], parts[1], parts[2]);
+                if !inside || !apart {
+                    break;
                 }
             }
             if inside {

@@ -26,7 +26,7 @@ pub fn replay<S: Scalar>(
     a: &impl Pieces<S>,
     b: &impl Pieces<S>,
     record: CurvedRecord,
-    hints: &Hints<S>,
+    hints: &Hints<'_, S>,
     side: f64,
     has_points: bool,
 ) -> Relation<S> {
@@ -61,12 +61,12 @@ struct Pair<'a, S, A, B> {
     a: &'a A,
     b: &'a B,
     pieces: [usize; 2],
-    hints: &'a Hints<S>,
+    hints: &'a Hints<'a, S>,
     side: S,
 }
 
 impl<'a, S: Scalar, A: Pieces<S>, B: Pieces<S>> Pair<'a, S, A, B> {
-    fn new(a: &'a A, b: &'a B, pieces: [u32; 2], hints: &'a Hints<S>, side: f64) -> Self {
+    fn new(a: &'a A, b: &'a B, pieces: [u32; 2], hints: &'a Hints<'a, S>, side: f64) -> Self {
         Pair {
             a,
             b,
@@ -94,7 +94,11 @@ impl<'a, S: Scalar, A: Pieces<S>, B: Pieces<S>> Pair<'a, S, A, B> {
         let kinds = [of_a.kind, of_b.kind];
         let count = 2 + kinds[0].unknowns() + kinds[1].unknowns();
         let mut changes = [S::zero(); MOST];
-        for (change, row) in changes.iter_mut().zip(&self.hints.inverse).take(count) {
+        for (change, row) in changes
+            .iter_mut()
+            .zip(self.hints.inverse.chunks_exact(MOST))
+            .take(count)
+        {
             for (&by, &residual) in row.iter().zip(&residuals).take(count) {
                 *change += by * residual;
             }
@@ -110,7 +114,7 @@ pub fn touched<S: Scalar>(
     a: &impl Pieces<S>,
     b: &impl Pieces<S>,
     record: CurvedRecord,
-    hints: &Hints<S>,
+    hints: &Hints<'_, S>,
     side: f64,
 ) -> (Touch<S>, S) {
     let Some(pieces) = record.pieces else {

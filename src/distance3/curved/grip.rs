@@ -2,14 +2,16 @@
 //!
 //! There the distance is stationary in its direction and in the places on the pieces. So its derivative by a shape is the
 //! direction times the derivative of the point that keeps its place.
+use super::by_normal::TURNED;
 use super::curved_replay::touched;
 use super::hints::{CurvedRecord, HINTS, Hints};
 use super::hull_solid::Named;
+use super::in_units::halves;
 use super::piece::Place;
 use super::smooth_solid::{EDGES, FACES, Solid};
-use super::turned::TURNED;
-use super::{Curved, Placed, axes, halves, inflated};
+use super::{Curved, Placed, inflated};
 use crate::arrays::Each;
+use crate::distance3::cored::axes;
 use crate::distance3::hulls::{ByCorners, by_turn};
 use crate::distance3::relation::{Relation, square_of_gap};
 use crate::shape::{

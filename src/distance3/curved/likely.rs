@@ -1,8 +1,8 @@
 //! The piece on which an iteration by supports says that the nearest point is.
+use super::by_normal::TURNED;
 use super::piece::{Piece, PieceKind, Place};
 use super::smooth_solid::{EDGES, FACES, Solid};
 use super::support::start;
-use super::turned::TURNED;
 use crate::{Scalar, Vec3};
 
 /// The codes of a solid's points whose mean is the nearest one, each once, and their weights.

@@ -23,6 +23,7 @@
 //! equally deep one counts. On the borders of pieces, such as a rim, the derivative belongs to one of them.
 //!
 //! The search decides in `f64`, also for `f32`. Numbers over other formats have no relation: it is zero.
+mod by_normal;
 mod by_support;
 mod curved_replay;
 mod curved_search;
@@ -30,6 +31,7 @@ mod expand;
 mod grip;
 mod hints;
 mod hull_solid;
+mod in_units;
 mod level;
 mod likely;
 mod piece;
@@ -39,17 +41,14 @@ mod solid_pair;
 mod support;
 mod touch;
 mod touching;
-mod turned;
 
 use super::apart::Apart;
-use super::core::Core3;
-use super::cored::{InflatedCore, axes};
+use super::cored::InflatedCore;
 use super::facing::{Patch, PatchName};
 use super::half_space::Bounded;
-use super::relation::{Relation, direction, square_of_gap};
-use crate::arrays::Each;
+use super::relation::{Relation, square_of_gap};
 use crate::distance::edge::scale_of;
-use crate::scalar::{Guard, largest, noted};
+use crate::scalar::{Guard, noted};
 use crate::shape::{
     Aabb3, Capsule3, Cone, Cylinder, Disc, Ellipsoid, Obb3, RoundBox3, Segment3, Tetrahedron,
     Triangle3, YawBox3,
@@ -62,7 +61,7 @@ pub(crate) use grip::{Gripped, curved_slopes};
 use hints::Hints;
 pub(crate) use hints::{CurvedRecord, HINTS};
 use piece::{Piece, Place};
-use smooth_solid::{Solid, across, begins_by_x};
+use smooth_solid::{Solid, begins_by_x};
 use support::Supported;
 use touch::{MOST, System};
 
@@ -132,135 +131,8 @@ impl<S: Scalar> Placed<S> for Solid<S> {
     }
 }
 
-/// Returns the largest magnitude of a vector's coordinates.
-fn size_of<S: Scalar>(v: Vec3<S>) -> S::Primal {
-    largest([v.x, v.y, v.z])
-}
-
-/// Returns half of a size along each axis.
-fn halves<S: Scalar>(size: Vec3<S>) -> [S; 3] {
-    [size.x, size.y, size.z]
-}
-
-impl<S: Scalar> Curved for Ellipsoid<S> {
-    type Placed = Solid<S>;
-    fn anchor_point(&self) -> Vec3<S> {
-        self.center
-    }
-    fn reach(&self, from: Vec3<S>) -> S::Primal {
-        size_of(self.center - from).most(largest(halves(self.semi_axes)))
-    }
-    fn in_units(&self, from: Vec3<S>, scale: S, _: S) -> Solid<S> {
-        let ball = Solid::Ball {
-            center: self.center,
-            ways: axes(self.rotation),
-            half: halves(self.semi_axes),
-        };
-        ball.placed(from, scale)
-    }
-}
-
-impl<S: Scalar> Curved for Disc<S> {
-    type Placed = Solid<S>;
-    fn anchor_point(&self) -> Vec3<S> {
-        self.center
-    }
-    fn axis(&self) -> Option<Vec3<S>> {
-        Some(self.normal)
-    }
-    fn reach(&self, from: Vec3<S>) -> S::Primal {
-        size_of(self.center - from).most(largest([self.radius]))
-    }
-    fn in_units(&self, from: Vec3<S>, scale: S, by_x: S) -> Solid<S> {
-        let disc = Solid::Disc {
-            center: self.center,
-            ways: across(self.normal, by_x),
-            radius: self.radius,
-        };
-        disc.placed(from, scale)
-    }
-}
-
-impl<S: Scalar> Curved for Cylinder<S> {
-    type Placed = Solid<S>;
-    fn anchor_point(&self) -> Vec3<S> {
-        self.start
-    }
-    fn axis(&self) -> Option<Vec3<S>> {
-        Some(self.end - self.start)
-    }
-    fn reach(&self, from: Vec3<S>) -> S::Primal {
-        let axis = size_of(self.end - self.start);
-        size_of(self.start - from)
-            .most(axis)
-            .most(largest([self.radius]))
-    }
-    fn in_units(&self, from: Vec3<S>, scale: S, by_x: S) -> Solid<S> {
-        let axis = self.end - self.start;
-        let can = Solid::Cylinder {
-            start: self.start,
-            axis,
-            ways: across(axis, by_x),
-            radius: self.radius,
-        };
-        can.placed(from, scale)
-    }
-}
-
-impl<S: Scalar> Curved for Cone<S> {
-    type Placed = Solid<S>;
-    fn anchor_point(&self) -> Vec3<S> {
-        self.apex
-    }
-    fn axis(&self) -> Option<Vec3<S>> {
-        Some(self.base - self.apex)
-    }
-    fn reach(&self, from: Vec3<S>) -> S::Primal {
-        let axis = size_of(self.base - self.apex);
-        size_of(self.apex - from)
-            .most(axis)
-            .most(largest([self.radius]))
-    }
-    fn in_units(&self, from: Vec3<S>, scale: S, by_x: S) -> Solid<S> {
-        let axis = self.base - self.apex;
-        let hat = Solid::Cone {
-            apex: self.apex,
-            axis,
-            ways: across(axis, by_x),
-            radius: self.radius,
-        };
-        hat.placed(from, scale)
-    }
-}
-
-impl<A: InflatedCore> Curved for A {
-    type Placed = Solid<A::Scalar>;
-    fn anchor_point(&self) -> Vec3<A::Scalar> {
-        self.core().anchor()
-    }
-    fn in_units(&self, from: Vec3<A::Scalar>, scale: A::Scalar, _: A::Scalar) -> Solid<A::Scalar> {
-        let core = self.core().placed(from, scale);
-        if let Some(shape) = core.as_box() {
-            return Solid::Box {
-                center: shape.center,
-                ways: shape.axes,
-                half: shape.half,
-            };
-        }
-        let corners = core.corners();
-        let given = corners.as_ref();
-        Solid::Simplex {
-            corners: [0, 1, 2, 3].each_as(|k| *given.get(k).unwrap_or(&given[0])),
-            count: given.len(),
-        }
-    }
-    fn rounding(&self) -> Option<A::Scalar> {
-        A::ROUND.then(|| self.radius())
-    }
-}
-
 /// Returns the decisions about two shapes and the hints of a search for their nearest points, or the farthest.
-fn search<S, A, B>(a: &A, b: &B, farthest: bool) -> (CurvedRecord, Hints<S>)
+fn search<S, A, B>(a: &A, b: &B, farthest: bool) -> (CurvedRecord, [S; HINTS])
 where
     S: Scalar<Mask = bool>,
     A: Curved<Scalar = S>,
@@ -291,7 +163,7 @@ fn decided<S: Scalar>(
     farthest: bool,
     scale: S,
     by_x: [S; 2],
-) -> (CurvedRecord, Hints<S>) {
+) -> (CurvedRecord, [S; HINTS]) {
     if !farthest && let Some((found, system)) = curved_search::quick(a, b) {
         return hints::of(&found, &system, scale, by_x);
     }
@@ -314,7 +186,7 @@ fn decided<S: Scalar>(
 fn related<S, A, B>(
     a: &A,
     b: &B,
-    (record, hints): &(CurvedRecord, Hints<S>),
+    (record, hints): (CurvedRecord, &[S; HINTS]),
     side: f64,
     has_points: bool,
 ) -> Relation<S>
@@ -323,13 +195,14 @@ where
     A: Curved<Scalar = S>,
     B: Curved<Scalar = S>,
 {
+    let hints = &Hints::load(hints);
     let from = a.anchor_point().constant();
     let [of_a, of_b] = hints.by_x;
     let (of_a, of_b) = (
         a.in_units(from, hints.scale, of_a),
         b.in_units(from, hints.scale, of_b),
     );
-    let found = replay(&of_a, &of_b, *record, hints, side, has_points);
+    let found = replay(&of_a, &of_b, record, hints, side, has_points);
     let back = S::one().over(hints.scale);
     let apart = found.apart * back;
     Relation {
@@ -349,8 +222,7 @@ where
     A: Curved<Scalar = S>,
     B: Curved<Scalar = S>,
 {
-    let (record, hints) = search(a, b, false);
-    (record, hints.store())
+    search(a, b, false)
 }
 
 /// Returns the relation of two shapes from the decisions and hints of [`curved_search`].
@@ -366,11 +238,7 @@ where
     A: Curved<Scalar = S>,
     B: Curved<Scalar = S>,
 {
-    inflated(
-        a,
-        b,
-        related(a, b, &(record, Hints::load(hints)), 1.0, true),
-    )
+    inflated(a, b, related(a, b, (record, hints), 1.0, true))
 }
 
 /// Returns the relation that [`curved_replay`] returns, without normal and points.
@@ -386,11 +254,7 @@ where
     A: Curved<Scalar = S>,
     B: Curved<Scalar = S>,
 {
-    inflated(
-        a,
-        b,
-        related(a, b, &(record, Hints::load(hints)), 1.0, false),
-    )
+    inflated(a, b, related(a, b, (record, hints), 1.0, false))
 }
 
 /// Returns the relation of two shapes from that of the solids which they inflate.
@@ -416,7 +280,9 @@ where
     A: Curved<Scalar = S>,
     B: Curved<Scalar = S>,
 {
-    inflated(&a, &b, related(&a, &b, &search(&a, &b, false), 1.0, true))
+    let (record, hints) = search(&a, &b, false);
+    let found = related(&a, &b, (record, &hints), 1.0, true);
+    inflated(&a, &b, found)
 }
 
 /// Returns the longest distance of points of two shapes.
@@ -426,7 +292,8 @@ where
     A: Curved<Scalar = S>,
     B: Curved<Scalar = S>,
 {
-    let longest = related(&a, &b, &search(&a, &b, true), -1.0, false).apart;
+    let (record, hints) = search(&a, &b, true);
+    let longest = related(&a, &b, (record, &hints), -1.0, false).apart;
     let none = longest.at_most(S::zero());
     let radii = [a.rounding(), b.rounding()].map(|radius| radius.unwrap_or(S::zero()));
     let longest = if none { S::zero() } else { longest };
@@ -479,49 +346,4 @@ apart! {
     [A: InflatedCore<Scalar = S>] A, Disc<S>;
     [B: InflatedCore<Scalar = S>] Ellipsoid<S>, B;
     [B: InflatedCore<Scalar = S>] Disc<S>, B;
-}
-
-impl<S: Scalar> Bounded for Ellipsoid<S> {
-    #[inline]
-    fn lowest(self, normal: Vec3<S>) -> (S, Vec3<S>) {
-        let (ways, half) = (axes(self.rotation), halves(self.semi_axes));
-        let along = [0, 1, 2].each_as(|k| half[k] * ways[k].dot(normal));
-        let down = Vec3::new(along[0], along[1], along[2]);
-        let unit = direction(down);
-        let way = ways[0] * (half[0] * unit.x)
-            + ways[1] * (half[1] * unit.y)
-            + ways[2] * (half[2] * unit.z);
-        (normal.dot(self.center) - down.length(), self.center - way)
-    }
-}
-
-impl<S: Scalar> Bounded for Disc<S> {
-    #[inline]
-    fn lowest(self, normal: Vec3<S>) -> (S, Vec3<S>) {
-        let (down, way) = super::half_space::lowest_of_circle(self.normal, self.radius, normal);
-        (normal.dot(self.center) - down, self.center - way)
-    }
-    #[inline]
-    fn face(self, toward: Vec3<S>) -> PatchName
-    where
-        S: Scalar<Mask = bool>,
-    {
-        let axis = self.normal.normalize_or_zero();
-        match axis.dot(toward).unsigned().below(S::lit(0.5)) {
-            true => PatchName::Spot,
-            false => PatchName::rim(0, axis),
-        }
-    }
-    #[inline]
-    fn patch(self, name: PatchName, _: Vec3<S>) -> Patch<S> {
-        match name {
-            PatchName::Rim { helper, .. } => Patch::rim(
-                self.center,
-                self.normal.normalize_or_zero(),
-                helper,
-                self.radius,
-            ),
-            _ => Patch::Spot,
-        }
-    }
 }

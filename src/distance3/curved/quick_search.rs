@@ -15,7 +15,7 @@ use crate::Vec3;
 const TRIES: [f64; 3] = [5e-2, 1e-3, 1e-5];
 /// The number of Newton's steps of a try.
 const STEPS: usize = 6;
-/// A step whose square is none.
+/// The length of the last step, whose square is none.
 const LAST: f64 = 1e-7;
 /// The error up to which a touch is exact, relative to the size.
 const EXACT: f64 = 1e-13;
@@ -54,23 +54,30 @@ impl Solids<'_> {
         let mut touch = Touch { normal, a, b };
         for _ in 0..STEPS {
             let [of_a, of_b] = self.pieces([i, j], touch.normal);
-            let system: System<FEW> = System::new([&of_a, &of_b], &touch);
+            let mut system: System<FEW> = System::equations([&of_a, &of_b], &touch);
             let residuals = system.frame.residuals([&of_a, &of_b], &touch);
-            let changes = system.solve(&residuals);
-            let change = changes[..system.count]
-                .iter()
-                .map(|x| x * x)
-                .sum::<f64>()
-                .sqrt();
-            if system.rank < system.count || !change.is_finite() {
+            let changes = match system.solve_two(&residuals) {
+                Some(changes) => changes,
+                None => {
+                    system.decompose();
+                    if system.rank < system.count {
+                        return None;
+                    }
+                    system.solve(&residuals)
+                }
+            };
+            let square = changes.iter().map(|x| x * x).sum::<f64>();
+            if !square.is_finite() {
                 return None;
             }
-            let limit = (0.5 / change).min(1.0);
-            let kinds = [of_a.kind, of_b.kind];
+            let (limit, kinds) = (0.5 / square.max(0.25).sqrt(), [of_a.kind, of_b.kind]);
             touch = system
                 .frame
                 .moved(kinds, &touch, &changes.map(|x| x * limit));
-            if change <= LAST {
+            if square <= LAST * LAST {
+                if system.rank == 0 {
+                    system.decompose();
+                }
                 return self.proved([i, j], &touch).map(|found| (found, system));
             }
         }

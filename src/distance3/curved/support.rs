@@ -1,8 +1,8 @@
 //! Convex solids of plain numbers by their supports.
+use super::by_normal::TURNED;
 use super::likely::Mix;
 use super::piece::{Piece, PieceKind, Place};
 use super::smooth_solid::Solid;
-use super::turned::TURNED;
 use crate::{Scalar, Vec3};
 
 /// A convex solid of plain numbers.

@@ -16,6 +16,8 @@ pub const MOST: usize = 10;
 pub const FEW: usize = 6;
 /// A pivot below which an equation depends on others, relative to its largest coefficient.
 const DEPENDENT: f64 = 1e-12;
+/// A determinant of two equations above which they are independent, relative to its terms.
+const CLEAR: f64 = 1e-6;
 /// A largest coefficient below which an equation says nothing; its inverse is finite in every format.
 const NONE: f64 = 1e-18;
 
@@ -76,11 +78,6 @@ pub fn tangents(normal: Vec3<f64>) -> [Vec3<f64>; 2] {
     [first, normal.cross(first)]
 }
 
-/// Returns the vector of constants.
-pub fn lit<S: Scalar>(v: Vec3<f64>) -> Vec3<S> {
-    Vec3::new(S::lit(v.x), S::lit(v.y), S::lit(v.z))
-}
-
 /// The equations about a touch: their derivatives by all unknowns, decomposed. Equations that depend on others are left
 /// out, with as many unknowns, which keep their values.
 #[derive(Clone, Copy)]
@@ -99,6 +96,13 @@ pub struct System<const N: usize> {
 impl<const N: usize> System<N> {
     /// Returns the system of two pieces near a touch.
     pub fn new(pieces: [&Piece<f64>; 2], touch: &Touch<f64>) -> Self {
+        let mut system = Self::equations(pieces, touch);
+        system.decompose();
+        system
+    }
+    /// Returns the same before it is decomposed.
+    #[inline(always)]
+    pub fn equations(pieces: [&Piece<f64>; 2], touch: &Touch<f64>) -> Self {
         let places = [&touch.a, &touch.b];
         let gap = touch
             .normal
@@ -118,7 +122,6 @@ impl<const N: usize> System<N> {
         system.matrix[1][1] = -gap;
         system.add(pieces[0], places[0], touch.normal, 0);
         system.add(pieces[1], places[1], -touch.normal, 1);
-        system.decompose();
         system
     }
     /// Adds the unknowns and equations of a piece with an outer normal.
@@ -168,8 +171,22 @@ impl<const N: usize> System<N> {
         }
         self.count = share + usize::from(kind.has_axis());
     }
+    /// Returns the changes that make up for residuals of two equations that are not decomposed; `None` of others, and of
+    /// equations that depend on each other.
+    #[inline(always)]
+    pub fn solve_two(&self, residuals: &[f64; N]) -> Option<[f64; N]> {
+        let [[a, b], [c, d]] = [0, 1].map(|k: usize| [self.matrix[k][0], self.matrix[k][1]]);
+        let (product, other) = (a * d, b * c);
+        let rest = product - other;
+        let over = 1.0 / rest;
+        let (x, y) = (residuals[0], residuals[1]);
+        let mut changes = [0.0; N];
+        (changes[0], changes[1]) = ((d * x - b * y) * over, (a * y - c * x) * over);
+        let clear = rest.abs() > CLEAR * product.abs().max(other.abs());
+        (self.count == 2 && clear).then_some(changes)
+    }
     /// Decomposes the matrix, the largest pivot first.
-    fn decompose(&mut self) {
+    pub fn decompose(&mut self) {
         let (n, m) = (self.count, &mut self.matrix);
         let mut scales = [0.0; N];
         for (scale, row) in scales.iter_mut().zip(&*m).take(n) {
