@@ -1,7 +1,7 @@
 //! Hulls as solids of smooth pieces: corners, edges, and faces, each by three corners that span it.
 use super::curved_replay::Pieces;
-use super::grip::Grip;
-use super::likely::{Mix, along, within};
+use super::grip::{Grip, between};
+use super::mix::{Mix, along, within};
 use super::piece::{Piece, PieceKind, Place};
 use super::support::{Supported, start};
 use super::{Curved, Placed, farthest, relate};
@@ -22,11 +22,9 @@ use std::cell::OnceCell;
 
 /// The corners of a piece, by their numbers: of a corner one, of an edge two, of a face three that span it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Named {
-    /// Their numbers; missing ones repeat the first.
-    pub corners: [usize; 3],
-    /// How many there are.
-    pub count: usize,
+struct Named {
+    corners: [usize; 3],
+    count: usize,
 }
 
 /// The bits of the number of a corner.
@@ -310,7 +308,7 @@ impl Supported for HullPieces {
 impl<S: Scalar, const N: usize> Placed<S> for HullInUnits<S, N> {
     type Plain = HullPieces;
     fn grip(&self, k: usize, place: &Place<S>, _: Vec3<S>) -> Option<Grip<S>> {
-        Named::of(k).map(|named| named.grip(place))
+        Named::of(k).map(|named| between(&named.corners[..named.count.clamp(1, 3)], place))
     }
     fn reach(&self) -> S::Primal {
         let all = self.points[..self.count].iter();

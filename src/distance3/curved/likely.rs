@@ -1,43 +1,10 @@
 //! The piece on which an iteration by supports says that the nearest point is.
 use super::by_normal::TURNED;
+use super::mix::{Mix, along, within};
 use super::piece::{Piece, PieceKind, Place};
 use super::smooth_solid::{EDGES, FACES, Solid};
 use super::support::start;
 use crate::{Scalar, Vec3};
-
-/// The codes of a solid's points whose mean is the nearest one, each once, and their weights.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Mix {
-    codes: [usize; 4],
-    weights: [f64; 4],
-    count: usize,
-}
-
-impl Mix {
-    /// Adds a point's weight.
-    pub fn add(&mut self, code: usize, weight: f64) {
-        let known = self.codes[..self.count].iter().position(|&own| own == code);
-        let k = known.unwrap_or(self.count);
-        self.count = self.count.max(k + 1);
-        self.codes[k] = code;
-        self.weights[k] += weight;
-    }
-    /// Returns the codes.
-    pub fn codes(&self) -> &[usize] {
-        &self.codes[..self.count]
-    }
-    /// Returns the sum of the weights of codes for which something holds.
-    pub fn sum(&self, holds: impl Fn(usize) -> bool) -> f64 {
-        let all = self.codes().iter().zip(self.weights);
-        all.filter(|(code, _)| holds(**code))
-            .map(|both| both.1)
-            .sum()
-    }
-    /// Returns the weight of a code.
-    pub fn weight(&self, code: usize) -> f64 {
-        self.sum(|own| own == code)
-    }
-}
 
 /// The sine of the angle between a normal and an axis below which a round piece moves too fast with the normal.
 const STEADY: f64 = 1e-3;
@@ -45,22 +12,6 @@ const STEADY: f64 = 1e-3;
 const TINY: f64 = 1e-3;
 /// The share of the radius below which a point is on the flat end.
 const INNER: f64 = 0.75;
-
-/// Returns a place with a share of the axis.
-pub fn along(share: f64) -> Place<f64> {
-    Place {
-        s: share,
-        ..Place::zero()
-    }
-}
-
-/// Returns a place with two coordinates.
-pub fn within(x: f64, y: f64) -> Place<f64> {
-    Place {
-        y: [x, y, 0.0],
-        ..Place::zero()
-    }
-}
 
 /// Returns the sine of the angle between a normal and the axis of a circle.
 fn steep(ways: &[Vec3<f64>; 2], normal: Vec3<f64>) -> f64 {
