@@ -1,5 +1,8 @@
 //! Distances of curved shapes of space as operations, with a search that hands hints to the replay.
-use crate::distance3::curved::{CurvedRecord, HINTS, curved_replay, curved_search};
+use crate::distance3::curved::{
+    CurvedRecord, HINTS, curved_distance, curved_replay, curved_search, curved_slopes,
+};
+use crate::distance3::relation::Relation;
 use crate::distance3::{Apart, Contact3, PointPair3};
 use crate::kernels::ops::tables::sized;
 use crate::kernels::verbs::{ClosestPoints, Distance, Penetration, SignedDistance};
@@ -7,6 +10,33 @@ use crate::{
     Aabb3, Capsule3, Cone, Cylinder, Disc, Ellipsoid, Obb3, RoundBox3, Segment3, Sphere, Tetrahedron, Triangle3, Vec3,
     YawBox3,
 };
+
+/// Replays a search with points, or without for verbs that have none.
+macro_rules! replayed {
+    (distance, $a:ident, $b:ident, $record:ident, $hints:ident) => { curved_distance(&$a, &$b, $record, &$hints) };
+    (signed_distance, $a:ident, $b:ident, $record:ident, $hints:ident) => {
+        curved_distance(&$a, &$b, $record, &$hints)
+    };
+    ($replay:ident, $a:ident, $b:ident, $record:ident, $hints:ident) => { curved_replay(&$a, &$b, $record, &$hints) };
+}
+
+/// The result and the cotangents of both shapes by hand, for verbs without points.
+macro_rules! by_hand {
+    (distance, $a:ident, $b:ident, $record:ident, $hints:ident, $bar:ident) => {{
+        // The distance of shapes that touch or overlap is constant.
+        let factor = |found: &Relation<S>| if found.apart > S::zero() { $bar } else { S::zero() };
+        let (found, by_a, by_b) = curved_slopes(&$a, &$b, *$record, $hints, factor)?;
+        Some((found.distance(), (by_a, by_b)))
+    }};
+    (signed_distance, $a:ident, $b:ident, $record:ident, $hints:ident, $bar:ident) => {{
+        let (found, by_a, by_b) = curved_slopes(&$a, &$b, *$record, $hints, |_| $bar)?;
+        Some((found.signed_distance(), (by_a, by_b)))
+    }};
+    ($replay:ident, $a:ident, $b:ident, $record:ident, $hints:ident, $bar:ident) => {{
+        let _ = ($a, $b, $record, $hints, $bar);
+        None
+    }};
+}
 
 /// Writes operations of two shapes of which at least one is curved, and joins them to their verbs.
 ///
@@ -77,7 +107,15 @@ macro_rules! curved_rows {
                 record: CurvedRecord,
                 hints: [S; HINTS],
             ) -> $out {
-                curved_replay(&a, &b, record, &hints).$replay()
+                replayed!($replay, a, b, record, hints).$replay()
+            }
+            fn adjoint_with_hints<S: crate::Real>(
+                (a, b): Self::In<S>,
+                record: &CurvedRecord,
+                hints: &[S; HINTS],
+                out_bar: $out,
+            ) -> Option<($out, Self::In<S>)> {
+                by_hand!($replay, a, b, record, hints, out_bar)
             }
         }
         curved_rows!(@join $Verb, $out, $replay, $A, $B, $N);

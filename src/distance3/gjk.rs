@@ -43,6 +43,26 @@ impl Difference for PointDifference {
     }
 }
 
+/// A point of b less one of a, both, and their codes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct CodedDifference {
+    /// The vector from the point of a to that of b.
+    pub way: Vec3<f64>,
+    /// The point of a.
+    pub a: Vec3<f64>,
+    /// The point of b.
+    pub b: Vec3<f64>,
+    /// Numbers that say on which corners, ends or rims the points are.
+    pub codes: [usize; 2],
+}
+
+impl Difference for CodedDifference {
+    #[inline(always)]
+    fn way(&self) -> Vec3<f64> {
+        self.way
+    }
+}
+
 /// The result of the iteration.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Gap<D> {
@@ -73,6 +93,10 @@ impl<D: Difference> Gap<D> {
     /// Returns the corners of the simplex that has a common point inside; `None` if it has fewer than four.
     pub fn around(&self) -> Option<[Vec3<f64>; 4]> {
         (self.inside && self.count == 3).then(|| self.simplex.map(|corner| corner.way()))
+    }
+    /// Returns the differences with their weights.
+    pub fn weighted(&self) -> impl Iterator<Item = (&D, f64)> {
+        self.simplex[..self.count].iter().zip(self.weights)
     }
 }
 
@@ -134,18 +158,24 @@ fn nearest<D: Difference>(simplex: &[D], apart: bool) -> Option<[f64; 4]> {
         [p, q, r, s] => {
             let all = [p.way(), q.way(), r.way(), s.way()];
             let (mut best, mut inside) = (f64::INFINITY, true);
-            for [i, j, k, behind] in [[0, 1, 2, 3], [0, 2, 3, 1], [0, 3, 1, 2], [1, 3, 2, 0]] {
-                let normal = (all[j] - all[i]).cross(all[k] - all[i]);
-                let (origin, last) = (-normal.dot(all[i]), normal.dot(all[behind] - all[i]));
-                if !apart && origin * last > 0.0 {
-                    continue;
+            // Of solids that are apart, faces with the origin behind them count only if rounding has put it behind all.
+            for all_faces in [false, true] {
+                for [i, j, k, behind] in [[0, 1, 2, 3], [0, 2, 3, 1], [0, 3, 1, 2], [1, 3, 2, 0]] {
+                    let normal = (all[j] - all[i]).cross(all[k] - all[i]);
+                    let (origin, last) = (-normal.dot(all[i]), normal.dot(all[behind] - all[i]));
+                    if !all_faces && origin * last > 0.0 {
+                        continue;
+                    }
+                    inside = false;
+                    let (parts, square) = of_triangle([all[i], all[j], all[k]]);
+                    if square < best {
+                        best = square;
+                        weights = [0.0; 4];
+                        (weights[i], weights[j], weights[k]) = (parts[0], parts[1], parts[2]);
+                    }
                 }
-                inside = false;
-                let (parts, square) = of_triangle([all[i], all[j], all[k]]);
-                if square < best {
-                    best = square;
-                    weights = [0.0; 4];
-                    (weights[i], weights[j], weights[k]) = (parts[0], parts[1], parts[2]);
+                if !inside || !apart {
+                    break;
                 }
             }
             if inside {
@@ -160,6 +190,18 @@ fn nearest<D: Difference>(simplex: &[D], apart: bool) -> Option<[f64; 4]> {
 /// Returns the nearest points of two solids, given the difference that is the lowest along a vector, a first one, and a
 /// distance that they are known to have at least; that may be negative.
 pub(super) fn gap<D: Difference>(lowest: impl Fn(Vec3<f64>) -> D, first: D, least: f64) -> Gap<D> {
+    gap_until(lowest, first, least, |_, _| false)
+}
+
+/// Returns what [`gap`] does, or ends where a function of the state and of the relative gap of both bounds of the square
+/// says so.
+#[inline(always)]
+pub(super) fn gap_until<D: Difference>(
+    lowest: impl Fn(Vec3<f64>) -> D,
+    first: D,
+    least: f64,
+    mut ends: impl FnMut(&Gap<D>, f64) -> bool,
+) -> Gap<D> {
     let way = first.way();
     let mut found = Gap {
         way,
@@ -182,6 +224,9 @@ pub(super) fn gap<D: Difference>(lowest: impl Fn(Vec3<f64>) -> D, first: D, leas
         size = size.max(at.length_squared());
         let height = found.way.dot(at);
         found.least = found.least.max(height / square.sqrt());
+        if ends(&found, (square - height) / square) {
+            break;
+        }
         let simplex = &found.simplex[..found.count];
         let known = simplex.iter().any(|corner| corner.way() == at);
         if square - height <= PROGRESS * square || known || step == STEPS {

@@ -1,5 +1,6 @@
 //! Own convex shapes by their support functions.
 use super::curved_replay::Pieces;
+use super::mix::Mix;
 use super::piece::{Piece, PieceKind, Place};
 use super::support::Supported;
 use super::{Curved, Placed, farthest, relate};
@@ -150,6 +151,9 @@ impl<A: SupportFunction<Scalar = f64>> Supported for InUnits<A, f64> {
             ways: axes().map(by),
             ..self.piece_at(k, normal)
         }
+    }
+    fn likely(&self, _: &Mix, _: Vec3<f64>, _: Vec3<f64>) -> Option<(usize, Place<f64>)> {
+        Some((0, Place::zero()))
     }
     fn clamped(&self, _: usize, place: &Place<f64>) -> Place<f64> {
         *place

@@ -19,64 +19,112 @@ pub trait Pieces<S: Scalar>: Copy {
 }
 
 /// Returns the relation of two solids from a touch of their pieces. The side is −1 for points that are the farthest from
-/// each other, else 1.
+/// each other, else 1. Normal and points are zero unless they are asked for.
 // All pairs of shapes share it: a solid is one of a few.
 #[inline(never)]
 pub fn replay<S: Scalar>(
     a: &impl Pieces<S>,
     b: &impl Pieces<S>,
     record: CurvedRecord,
-    hints: &Hints<S>,
+    hints: &Hints<'_, S>,
     side: f64,
+    has_points: bool,
 ) -> Relation<S> {
-    let Some([i, j]) = record.pieces.map(|both| both.map(|piece| piece as usize)) else {
-        let (zero, none) = (S::zero(), Vec3::zero());
+    let none = Vec3::zero();
+    let (mut touch, apart) = touched(a, b, record, hints, side);
+    let square = square_of_gap(apart);
+    let Some(pieces) = record.pieces.filter(|_| has_points) else {
         return Relation {
-            apart: zero,
-            square: zero,
+            apart,
+            square,
             normal: none,
             on_a: none,
             on_b: none,
         };
     };
-    let side = S::lit(side);
-    let mut touch = hints.touch;
-    let pieces = |touch: &Touch<S>| {
-        let out = touch.normal * side;
-        (a.piece_at(i, out), b.piece_at(j, -out))
-    };
-    let step = |touch: &Touch<S>| {
-        let (of_a, of_b) = pieces(touch);
-        let residuals = hints.frame.residuals([&of_a, &of_b], touch);
-        let residuals = residuals.each_as(vanish);
-        let kinds = [of_a.kind, of_b.kind];
-        let count = 2 + kinds[0].unknowns() + kinds[1].unknowns();
-        let mut changes = [S::zero(); MOST];
-        for (change, row) in changes.iter_mut().zip(&hints.inverse).take(count) {
-            for (&by, &residual) in row.iter().zip(&residuals).take(count) {
-                *change += by * residual;
-            }
-        }
-        hints.frame.moved(kinds, touch, &changes)
-    };
-    let points = |touch: &Touch<S>| {
-        let (of_a, of_b) = pieces(touch);
-        [of_a.at(&touch.a), of_b.at(&touch.b)]
-    };
+    let pair = Pair::new(a, b, pieces, hints, side);
     if record.settled {
-        touch = step(&touch);
+        touch = pair.step(&touch);
     }
-    let [on_a, on_b] = points(&touch);
-    let apart = touch.normal.dot(on_b - on_a);
-    if record.settled {
-        touch = step(&touch);
-    }
-    let [on_a, on_b] = points(&touch);
+    let [on_a, on_b] = pair.points(&touch);
     Relation {
         apart,
-        square: square_of_gap(apart),
+        square,
         normal: touch.normal,
         on_a,
         on_b,
     }
+}
+
+/// Two solids, the decisions about them and the hints.
+struct Pair<'a, S, A, B> {
+    a: &'a A,
+    b: &'a B,
+    pieces: [usize; 2],
+    hints: &'a Hints<'a, S>,
+    side: S,
+}
+
+impl<'a, S: Scalar, A: Pieces<S>, B: Pieces<S>> Pair<'a, S, A, B> {
+    fn new(a: &'a A, b: &'a B, pieces: [u32; 2], hints: &'a Hints<'a, S>, side: f64) -> Self {
+        Pair {
+            a,
+            b,
+            pieces: pieces.map(|piece| piece as usize),
+            hints,
+            side: S::lit(side),
+        }
+    }
+    fn pieces(&self, touch: &Touch<S>) -> [Piece<S>; 2] {
+        let out = touch.normal * self.side;
+        let [i, j] = self.pieces;
+        [self.a.piece_at(i, out), self.b.piece_at(j, -out)]
+    }
+    /// Returns the points of a touch.
+    fn points(&self, touch: &Touch<S>) -> [Vec3<S>; 2] {
+        let [of_a, of_b] = self.pieces(touch);
+        [of_a.at(&touch.a), of_b.at(&touch.b)]
+    }
+    /// Returns the touch after one of Newton's steps.
+    fn step(&self, touch: &Touch<S>) -> Touch<S> {
+        let [of_a, of_b] = self.pieces(touch);
+        let frame = &self.hints.frame;
+        let residuals: [S; MOST] = frame.residuals([&of_a, &of_b], touch);
+        let residuals = residuals.each_as(vanish);
+        let kinds = [of_a.kind, of_b.kind];
+        let count = 2 + kinds[0].unknowns() + kinds[1].unknowns();
+        let mut changes = [S::zero(); MOST];
+        for (change, row) in changes
+            .iter_mut()
+            .zip(self.hints.inverse.chunks_exact(MOST))
+            .take(count)
+        {
+            for (&by, &residual) in row.iter().zip(&residuals).take(count) {
+                *change += by * residual;
+            }
+        }
+        frame.moved(kinds, touch, &changes)
+    }
+}
+
+/// Returns the touch after one of Newton's steps, where the places are stationary, and the signed distance in the units of
+/// the search; zero for solids that are not finite.
+#[inline(never)]
+pub fn touched<S: Scalar>(
+    a: &impl Pieces<S>,
+    b: &impl Pieces<S>,
+    record: CurvedRecord,
+    hints: &Hints<'_, S>,
+    side: f64,
+) -> (Touch<S>, S) {
+    let Some(pieces) = record.pieces else {
+        return (hints.touch, S::zero());
+    };
+    let pair = Pair::new(a, b, pieces, hints, side);
+    let touch = match record.settled {
+        true => pair.step(&hints.touch),
+        false => hints.touch,
+    };
+    let [on_a, on_b] = pair.points(&touch);
+    (touch, touch.normal.dot(on_b - on_a))
 }

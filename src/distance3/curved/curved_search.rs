@@ -12,7 +12,7 @@ use super::level::shared;
 use super::piece::{PieceKind, Place};
 use super::solid_pair::{Found, Solids};
 use super::support::Supported;
-use super::touch::{System, Touch, tangents};
+use super::touch::{FEW, MOST, System, Touch, tangents};
 use super::touching::{Candidate, candidates};
 use crate::Vec3;
 
@@ -67,7 +67,7 @@ impl Solids<'_> {
         let (mut touch, mut kept): (_, Option<(Found, f64)>) = (first, None);
         for step in 0..STEPS {
             let [a, b] = self.pieces(pieces, touch.normal);
-            let system = System::new([&a, &b], &touch);
+            let system: System<MOST> = System::new([&a, &b], &touch);
             let on = Touch {
                 normal: touch.normal,
                 a: self.a.clamped(pieces[0], &touch.a),
@@ -267,20 +267,29 @@ impl Solids<'_> {
     }
 }
 
+impl<'a> Solids<'a> {
+    /// Creates the pair, of which nearest points are asked for.
+    fn new(a: &'a dyn Supported, b: &'a dyn Supported) -> Self {
+        let way = b.middle() - a.middle();
+        let size = a.size().max(b.size()).max(way.length());
+        Solids {
+            a,
+            b,
+            size: size.max(f64::MIN_POSITIVE),
+            side: 1.0,
+        }
+    }
+}
+
+/// Returns the touch of two solids that are clearly apart, and the equations about it, where that is simple.
+pub fn quick(a: &dyn Supported, b: &dyn Supported) -> Option<(Found, System<FEW>)> {
+    Solids::new(a, b).quick()
+}
+
 /// Returns the touch that decides about the relation of two solids.
 pub fn search(a: &dyn Supported, b: &dyn Supported) -> Option<Found> {
-    let way = b.middle() - a.middle();
-    let size = a
-        .size()
-        .max(b.size())
-        .max(way.length())
-        .max(f64::MIN_POSITIVE);
-    let solids = Solids {
-        a,
-        b,
-        size,
-        side: 1.0,
-    };
+    let solids = Solids::new(a, b);
+    let (size, way) = (solids.size, b.middle() - a.middle());
     let first = match way.length_squared() > 0.0 {
         true => way,
         false => Vec3::new(0.0, 0.0, 1.0),
@@ -332,16 +341,9 @@ const ASCENTS: usize = 100;
 /// Returns the touch of the points of two solids that are the farthest from each other.
 pub fn search_farthest(a: &dyn Supported, b: &dyn Supported) -> Option<Found> {
     let way = b.middle() - a.middle();
-    let size = a
-        .size()
-        .max(b.size())
-        .max(way.length())
-        .max(f64::MIN_POSITIVE);
     let solids = Solids {
-        a,
-        b,
-        size,
         side: -1.0,
+        ..Solids::new(a, b)
     };
     let mut starts = vec![way];
     for code in 0..27 {

@@ -1,7 +1,7 @@
 //! The numbers that a search of curved solids hands to its replay, and the record of its decisions.
 use super::piece::Place;
 use super::solid_pair::Found;
-use super::touch::{Frame, MOST, System, Touch, Units, lit};
+use super::touch::{Frame, MOST, System, Touch, Units};
 use crate::arrays::Each;
 use crate::{Scalar, Vec3};
 
@@ -19,7 +19,7 @@ pub struct CurvedRecord {
 
 /// The hints of a search of curved solids.
 #[derive(Clone, Copy, Debug)]
-pub struct Hints<S> {
+pub struct Hints<'a, S> {
     /// The units of the search.
     pub scale: S,
     /// For each solid one if the directions across its axis begin with that across x, zero if across y.
@@ -28,8 +28,8 @@ pub struct Hints<S> {
     pub touch: Touch<S>,
     /// The constants of the equations.
     pub frame: Frame<S>,
-    /// The inverse of the matrix of the equations: changes of the unknowns by residuals.
-    pub inverse: [[S; MOST]; MOST],
+    /// The inverse of the matrix of the equations, row by row: changes of the unknowns by residuals.
+    pub inverse: &'a [S],
 }
 
 /// Reads numbers one after another.
@@ -56,9 +56,9 @@ impl<S: Scalar> Reader<'_, S> {
     }
 }
 
-impl<S: Scalar> Hints<S> {
+impl<'a, S: Scalar> Hints<'a, S> {
     /// Returns the hints from a list.
-    pub fn load(numbers: &[S; HINTS]) -> Self {
+    pub fn load(numbers: &'a [S; HINTS]) -> Self {
         let mut from = Reader(numbers);
         let (scale, by_x) = (from.one(), from.two());
         let touch = Touch {
@@ -68,8 +68,6 @@ impl<S: Scalar> Hints<S> {
         };
         let first = from.vector();
         let (over, axis) = (from.two(), from.two());
-        let mut inverse = [[S::zero(); MOST]; MOST];
-        inverse.iter_mut().flatten().for_each(|x| *x = from.one());
         Hints {
             scale,
             by_x,
@@ -81,92 +79,62 @@ impl<S: Scalar> Hints<S> {
                     axis: axis[k],
                 }),
             },
-            inverse,
+            inverse: from.0,
         }
     }
-    /// Returns the hints as a list.
-    pub fn store(&self) -> [S; HINTS] {
-        let Hints {
-            scale,
-            by_x: [by_x_of_a, by_x_of_b],
-            touch: Touch { normal, a, b },
-            frame,
-            inverse,
-        } = self;
-        let (first, [of_a, of_b]) = (frame.tangents[0], &frame.units);
-        let head: [&[S]; 8] = [
-            &[*scale, *by_x_of_a, *by_x_of_b],
-            &[normal.x, normal.y, normal.z],
-            &a.y,
-            &[a.s, a.pull],
-            &b.y,
-            &[b.s, b.pull],
-            &[first.x, first.y, first.z],
-            &[of_a.over, of_b.over, of_a.axis, of_b.axis],
-        ];
-        let mut all = [S::zero(); HINTS];
-        let numbers = head.into_iter().chain(inverse.iter().map(|row| &row[..]));
-        for (place, &x) in all.iter_mut().zip(numbers.flatten()) {
-            *place = x;
-        }
-        all
-    }
 }
 
-/// Returns a place of constants.
-fn constant<S: Scalar>(place: &Place<f64>) -> Place<S> {
-    Place {
-        y: place.y.each_as(S::lit),
-        s: S::lit(place.s),
-        pull: S::lit(place.pull),
-    }
-}
-
-/// Returns a number as a constant whose square is finite in the format.
-fn bounded<S: Scalar>(x: f64) -> S {
-    let most = S::format().largest().sqrt();
-    S::lit(x.clamp(-most, most))
-}
-
-/// Returns the hints of a touch, given the equations about it, the units, and how directions across axes begin.
-pub fn of<S: Scalar>(
+/// Returns the record of a touch and the list of its hints, given the equations about it, the units, and how directions
+/// across axes begin.
+#[inline]
+pub fn of<S: Scalar, const N: usize>(
     found: &Found,
-    system: &System,
+    system: &System<N>,
     scale: S,
     by_x: [S; 2],
-) -> (CurvedRecord, Hints<S>) {
+) -> (CurvedRecord, [S; HINTS]) {
     let record = CurvedRecord {
         pieces: Some(found.pieces.map(|piece| piece as u32)),
         settled: found.settled,
     };
-    let Frame { tangents, units } = &system.frame;
-    let hints = Hints {
-        scale,
-        by_x,
-        touch: Touch {
-            normal: lit(found.touch.normal),
-            a: constant(&found.touch.a),
-            b: constant(&found.touch.b),
-        },
-        frame: Frame {
-            tangents: tangents.each_as(lit),
-            units: units.each_as(|units| Units {
-                over: bounded(units.over),
-                axis: bounded(units.axis),
-            }),
-        },
-        inverse: system.inverse().each_as(|row| row.each_as(bounded)),
-    };
-    (record, hints)
+    let Touch { normal, a, b } = &found.touch;
+    let (first, [of_a, of_b]) = (system.frame.tangents[0], &system.frame.units);
+    let mut all = [S::zero(); HINTS];
+    (all[0], all[1], all[2]) = (scale, by_x[0], by_x[1]);
+    let head = [
+        [normal.x, normal.y, normal.z],
+        a.y,
+        [a.s, a.pull, b.y[0]],
+        [b.y[1], b.y[2], b.s],
+        [b.pull, first.x, first.y],
+    ];
+    for (place, &x) in all[3..].iter_mut().zip(head.as_flattened()) {
+        *place = S::lit(x);
+    }
+    all[18] = S::lit(first.z);
+    // Numbers as constants whose squares are finite in the format.
+    let most = S::format().largest().sqrt();
+    let bounded = |x: f64| S::lit(x.clamp(-most, most));
+    let units = [of_a.over, of_b.over, of_a.axis, of_b.axis];
+    for (place, x) in all[19..].iter_mut().zip(units) {
+        *place = bounded(x);
+    }
+    let rows = all[HINTS - MOST * MOST..].chunks_exact_mut(MOST);
+    for (row, by) in rows.zip(system.inverse()).take(system.count) {
+        for (place, x) in row.iter_mut().zip(by).take(system.count) {
+            *place = bounded(x);
+        }
+    }
+    (record, all)
 }
 
 /// Returns the record and hints of solids that are not finite: units of one, the others zero.
-pub fn none<S: Scalar>() -> (CurvedRecord, Hints<S>) {
+pub fn none<S: Scalar>() -> (CurvedRecord, [S; HINTS]) {
     let record = CurvedRecord {
         pieces: None,
         settled: false,
     };
     let mut all = [S::zero(); HINTS];
     all[0] = S::one();
-    (record, Hints::load(&all))
+    (record, all)
 }

@@ -1,5 +1,7 @@
 //! Hulls as solids of smooth pieces: corners, edges, and faces, each by three corners that span it.
 use super::curved_replay::Pieces;
+use super::grip::{Grip, between};
+use super::mix::{Mix, along, within};
 use super::piece::{Piece, PieceKind, Place};
 use super::support::{Supported, start};
 use super::{Curved, Placed, farthest, relate};
@@ -10,12 +12,13 @@ use crate::distance3::facing::{Patch, PatchName};
 use crate::distance3::half_space::Bounded;
 use crate::distance3::hulls::{
     CornerList, Cornered, FixedCorners, HullBody, HullFace, PointColumns, around, numbers,
-    patch_ring,
+    patch_ring, spanning,
 };
 use crate::distance3::relation::Relation;
 use crate::scalar::{Guard, largest};
 use crate::shape::{Cone, Cylinder, Disc, Ellipsoid};
 use crate::{Hull3, Scalar, Vec3};
+use std::cell::OnceCell;
 
 /// The corners of a piece, by their numbers: of a corner one, of an edge two, of a face three that span it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -90,22 +93,31 @@ struct Ring {
     normal: Vec3<f64>,
 }
 
-/// A hull of plain numbers with its pieces.
+/// A hull of plain numbers.
 #[derive(Debug)]
 pub struct HullPieces {
     points: Vec<Vec3<f64>>,
     columns: PointColumns,
+    /// Its surface, which a search needs only where it is not simple.
+    surface: OnceCell<NamedPieces>,
+}
+
+/// The pieces of the surface of a hull.
+#[derive(Debug)]
+struct NamedPieces {
     pieces: Vec<Named>,
     /// The rings of the faces, which are the last pieces.
     rings: Vec<Ring>,
 }
 
+/// The height below the highest corners from which others play no part, relative to the size.
+const PLAIN: f64 = 1e-9;
 /// The height over the plane of a face below which a corner is in it.
 const FLAT: f64 = 1e-14;
 
-impl HullPieces {
-    fn new(points: Vec<Vec3<f64>>) -> Self {
-        let body = HullBody::of(&points, f64::EPSILON);
+impl NamedPieces {
+    fn new(points: &[Vec3<f64>]) -> Self {
+        let body = HullBody::of(points, f64::EPSILON);
         let mut faces: Vec<(Named, Vec<usize>, Vec3<f64>)> = Vec::new();
         let size = |face: &HullFace| {
             let [apex, from, to] = face.plane.map(|k| points[k]);
@@ -122,7 +134,7 @@ impl HullPieces {
             if faces.iter().any(part) {
                 continue;
             }
-            let ring = patch_ring(&points, &body.corners, (face.plane[0], face.normal), FLAT);
+            let ring = patch_ring(points, &body.corners, (face.plane[0], face.normal), FLAT);
             if ring.len() > 2 {
                 faces.push((Named::new(&face.plane), ring, face.normal));
             }
@@ -132,7 +144,7 @@ impl HullPieces {
         let mut pieces: Vec<Named> = corners.chain(edges).collect();
         let mut rings = Vec::new();
         for (named, corners, normal) in faces {
-            let piece = named.piece(&points);
+            let piece = named.piece(points);
             let seen = |&k: &usize| {
                 let [x, y, _] = start(&piece, points[k], normal, false).y;
                 [x, y]
@@ -145,17 +157,41 @@ impl HullPieces {
                 normal,
             });
         }
+        NamedPieces { pieces, rings }
+    }
+}
+
+impl HullPieces {
+    fn new(points: Vec<Vec3<f64>>) -> Self {
         HullPieces {
             columns: PointColumns::new(&points, points[0]),
             points,
-            pieces,
-            rings,
+            surface: OnceCell::new(),
         }
     }
-    /// Returns the ring of a piece; `None` of a corner or an edge.
+    fn surface(&self) -> &NamedPieces {
+        self.surface.get_or_init(|| NamedPieces::new(&self.points))
+    }
+    /// Returns the ring of a piece of the list; `None` of a corner or an edge.
     fn ring(&self, k: usize) -> Option<&Ring> {
-        let first = self.pieces.len() - self.rings.len();
-        k.checked_sub(first).and_then(|k| self.rings.get(k))
+        if Named::of(k).is_some() {
+            return None;
+        }
+        let NamedPieces { pieces, rings } = self.surface();
+        let first = pieces.len() - rings.len();
+        k.checked_sub(first).and_then(|k| rings.get(k))
+    }
+    /// Returns one less than the number of corners up to a slack below the highest along a normal, three at most.
+    fn level(&self, normal: Vec3<f64>, slack: f64) -> usize {
+        let (_, highest) = self.columns.highest(normal);
+        let mut count = 0;
+        self.columns
+            .above(normal, normal.dot(highest) - slack, |_| count += 1);
+        count.clamp(1, 4) - 1
+    }
+    /// Returns a piece by its place in the list or by its number.
+    fn named(&self, k: usize) -> Named {
+        Named::of(k).unwrap_or_else(|| self.surface().pieces[k])
     }
 }
 
@@ -203,18 +239,47 @@ impl Supported for HullPieces {
         lengths.fold(0.0, f64::max)
     }
     fn pieces(&self) -> usize {
-        self.pieces.len()
+        self.surface().pieces.len()
     }
     fn piece(&self, k: usize, _: Vec3<f64>) -> Piece<f64> {
-        let named = Named::of(k).unwrap_or_else(|| self.pieces[k]);
-        named.piece(&self.points)
+        self.named(k).piece(&self.points)
+    }
+    fn coded(&self, way: Vec3<f64>) -> (Vec3<f64>, usize) {
+        let number = self.columns.highest(way).0;
+        (self.points[number], number)
+    }
+    fn likely(&self, mix: &Mix, _: Vec3<f64>, normal: Vec3<f64>) -> Option<(usize, Place<f64>)> {
+        let codes = mix.codes();
+        let face = match codes.len() {
+            1 | 2 => Named::new(codes),
+            3 => Named::new(&spanning(|k| self.points[k], codes, normal)),
+            _ => return None,
+        };
+        let [_, i, j] = face.corners.each_as(|k| mix.weight(k));
+        let place = match face.count {
+            1 => Place::zero(),
+            2 => along(i),
+            _ => within(i, j),
+        };
+        Some((face.number(), place))
+    }
+    fn flatness(&self, normal: Vec3<f64>, slack: f64) -> usize {
+        self.level(normal, slack)
+    }
+    fn is_plain(&self, normal: Vec3<f64>, dimension: usize) -> bool {
+        self.level(normal, PLAIN * self.size()) == dimension
     }
     fn clamped(&self, k: usize, place: &Place<f64>) -> Place<f64> {
         let mut place = *place;
         place.s = place.s.clamp(0.0, 1.0);
-        if let Some(ring) = self.ring(k) {
-            let [x, y, _] = place.y;
-            let [x, y] = ring.clamped(&self.pieces[k].piece(&self.points), [x, y]);
+        let [x, y, _] = place.y;
+        if Named::of(k).is_some_and(|named| named.count > 2) {
+            // Between three corners.
+            let [x, y] = [x.max(0.0), y.max(0.0)];
+            let sum = (x + y).max(1.0);
+            place.y = [x / sum, y / sum, 0.0];
+        } else if let Some(ring) = self.ring(k) {
+            let [x, y] = ring.clamped(&self.named(k).piece(&self.points), [x, y]);
             place.y = [x, y, 0.0];
         }
         place
@@ -228,7 +293,7 @@ impl Supported for HullPieces {
         piece.from + sum * (1.0 / ring.corners.len() as f64)
     }
     fn replayed(&self, k: usize, place: &Place<f64>) -> (usize, Place<f64>) {
-        let named = self.pieces[k];
+        let named = self.named(k);
         let Some(ring) = self.ring(k).filter(|ring| ring.corners.len() > 3) else {
             return (named.number(), *place);
         };
@@ -242,6 +307,9 @@ impl Supported for HullPieces {
 
 impl<S: Scalar, const N: usize> Placed<S> for HullInUnits<S, N> {
     type Plain = HullPieces;
+    fn grip(&self, k: usize, place: &Place<S>, _: Vec3<S>) -> Option<Grip<S>> {
+        Named::of(k).map(|named| between(&named.corners[..named.count.clamp(1, 3)], place))
+    }
     fn reach(&self) -> S::Primal {
         let all = self.points[..self.count].iter();
         all.fold(S::Primal::zero(), |most, p| {

@@ -23,14 +23,21 @@
 //! equally deep one counts. On the borders of pieces, such as a rim, the derivative belongs to one of them.
 //!
 //! The search decides in `f64`, also for `f32`. Numbers over other formats have no relation: it is zero.
+mod by_normal;
 mod by_support;
 mod curved_replay;
 mod curved_search;
 mod expand;
+mod grip;
 mod hints;
 mod hull_solid;
+mod in_units;
 mod level;
+mod likely;
+mod mix;
 mod piece;
+mod quick_search;
+mod slopes_by_hand;
 mod smooth_solid;
 mod solid_pair;
 mod support;
@@ -38,12 +45,10 @@ mod touch;
 mod touching;
 
 use super::apart::Apart;
-use super::core::Core3;
-use super::cored::{InflatedCore, axes};
+use super::cored::InflatedCore;
 use super::facing::{Patch, PatchName};
 use super::half_space::Bounded;
-use super::relation::{Relation, direction, square_of_gap};
-use crate::arrays::Each;
+use super::relation::{Relation, square_of_gap};
 use crate::distance::edge::scale_of;
 use crate::scalar::{Guard, noted};
 use crate::shape::{
@@ -53,12 +58,14 @@ use crate::shape::{
 use crate::{Pack, Scalar, Vec3};
 pub use by_support::{BySupport, SupportFunction};
 use curved_replay::{Pieces, replay};
+use grip::Grip;
 use hints::Hints;
 pub(crate) use hints::{CurvedRecord, HINTS};
-use piece::Piece;
-use smooth_solid::{Solid, across, begins_by_x};
+use piece::{Piece, Place};
+pub(crate) use slopes_by_hand::{Gripped, curved_slopes};
+use smooth_solid::{Solid, begins_by_x};
 use support::Supported;
-use touch::System;
+use touch::{MOST, System};
 
 /// A convex shape of space whose surface consists of smooth pieces, inflated by a radius.
 pub(crate) trait Curved: Copy + Pack<Scalar: Scalar> {
@@ -71,6 +78,11 @@ pub(crate) trait Curved: Copy + Pack<Scalar: Scalar> {
     #[inline]
     fn axis(&self) -> Option<Vec3<Self::Scalar>> {
         None
+    }
+    /// Returns the largest magnitude of a coordinate relative to a point, or of a length.
+    fn reach(&self, from: Vec3<Self::Scalar>) -> <Self::Scalar as Scalar>::Primal {
+        self.in_units(from, Self::Scalar::one(), Self::Scalar::zero())
+            .reach()
     }
     /// Returns the shape relative to a point, in other units. Directions across its axis begin by x where a number is
     /// one, by y where it is zero.
@@ -93,13 +105,18 @@ pub(crate) trait Placed<S: Scalar>: Pieces<S> {
     type Plain: Supported;
     /// Returns the largest magnitude of a coordinate or length.
     fn reach(&self) -> S::Primal;
+    /// Returns the place on a piece in the shape's own terms, given its number and the outer normal; `None` for a shape
+    /// that has none.
+    fn grip(&self, _k: usize, _place: &Place<S>, _normal: Vec3<S>) -> Option<Grip<S>> {
+        None
+    }
     /// Returns the shape of plain numbers; `None` where one is not finite.
     fn plain(&self) -> Option<Self::Plain>;
 }
 
 impl<S: Scalar> Pieces<S> for Solid<S> {
-    fn piece_at(&self, k: usize, _: Vec3<S>) -> Piece<S> {
-        self.piece(k)
+    fn piece_at(&self, k: usize, normal: Vec3<S>) -> Piece<S> {
+        self.seen(k, normal, false)
     }
 }
 
@@ -108,117 +125,16 @@ impl<S: Scalar> Placed<S> for Solid<S> {
     fn reach(&self) -> S::Primal {
         Solid::reach(self)
     }
+    fn grip(&self, k: usize, place: &Place<S>, normal: Vec3<S>) -> Option<Grip<S>> {
+        Some(self.held(k, place, normal))
+    }
     fn plain(&self) -> Option<Solid<f64>> {
         self.widened()
     }
 }
 
-/// Returns half of a size along each axis.
-fn halves<S: Scalar>(size: Vec3<S>) -> [S; 3] {
-    [size.x, size.y, size.z]
-}
-
-impl<S: Scalar> Curved for Ellipsoid<S> {
-    type Placed = Solid<S>;
-    fn anchor_point(&self) -> Vec3<S> {
-        self.center
-    }
-    fn in_units(&self, from: Vec3<S>, scale: S, _: S) -> Solid<S> {
-        let ball = Solid::Ball {
-            center: self.center,
-            ways: axes(self.rotation),
-            half: halves(self.semi_axes),
-        };
-        ball.placed(from, scale)
-    }
-}
-
-impl<S: Scalar> Curved for Disc<S> {
-    type Placed = Solid<S>;
-    fn anchor_point(&self) -> Vec3<S> {
-        self.center
-    }
-    fn axis(&self) -> Option<Vec3<S>> {
-        Some(self.normal)
-    }
-    fn in_units(&self, from: Vec3<S>, scale: S, by_x: S) -> Solid<S> {
-        let disc = Solid::Disc {
-            center: self.center,
-            ways: across(self.normal, by_x),
-            radius: self.radius,
-        };
-        disc.placed(from, scale)
-    }
-}
-
-impl<S: Scalar> Curved for Cylinder<S> {
-    type Placed = Solid<S>;
-    fn anchor_point(&self) -> Vec3<S> {
-        self.start
-    }
-    fn axis(&self) -> Option<Vec3<S>> {
-        Some(self.end - self.start)
-    }
-    fn in_units(&self, from: Vec3<S>, scale: S, by_x: S) -> Solid<S> {
-        let axis = self.end - self.start;
-        let can = Solid::Cylinder {
-            start: self.start,
-            axis,
-            ways: across(axis, by_x),
-            radius: self.radius,
-        };
-        can.placed(from, scale)
-    }
-}
-
-impl<S: Scalar> Curved for Cone<S> {
-    type Placed = Solid<S>;
-    fn anchor_point(&self) -> Vec3<S> {
-        self.apex
-    }
-    fn axis(&self) -> Option<Vec3<S>> {
-        Some(self.base - self.apex)
-    }
-    fn in_units(&self, from: Vec3<S>, scale: S, by_x: S) -> Solid<S> {
-        let axis = self.base - self.apex;
-        let hat = Solid::Cone {
-            apex: self.apex,
-            axis,
-            ways: across(axis, by_x),
-            radius: self.radius,
-        };
-        hat.placed(from, scale)
-    }
-}
-
-impl<A: InflatedCore> Curved for A {
-    type Placed = Solid<A::Scalar>;
-    fn anchor_point(&self) -> Vec3<A::Scalar> {
-        self.core().anchor()
-    }
-    fn in_units(&self, from: Vec3<A::Scalar>, scale: A::Scalar, _: A::Scalar) -> Solid<A::Scalar> {
-        let core = self.core().placed(from, scale);
-        if let Some(shape) = core.as_box() {
-            return Solid::Box {
-                center: shape.center,
-                ways: shape.axes,
-                half: shape.half,
-            };
-        }
-        let corners = core.corners();
-        let given = corners.as_ref();
-        Solid::Simplex {
-            corners: [0, 1, 2, 3].each_as(|k| *given.get(k).unwrap_or(&given[0])),
-            count: given.len(),
-        }
-    }
-    fn rounding(&self) -> Option<A::Scalar> {
-        A::ROUND.then(|| self.radius())
-    }
-}
-
 /// Returns the decisions about two shapes and the hints of a search for their nearest points, or the farthest.
-fn search<S, A, B>(a: &A, b: &B, farthest: bool) -> (CurvedRecord, Hints<S>)
+fn search<S, A, B>(a: &A, b: &B, farthest: bool) -> (CurvedRecord, [S; HINTS])
 where
     S: Scalar<Mask = bool>,
     A: Curved<Scalar = S>,
@@ -227,11 +143,7 @@ where
     let from = a.anchor_point().constant();
     let begin = |axis: Option<Vec3<S>>| axis.map_or(S::zero(), begins_by_x);
     let by_x = [begin(a.axis()), begin(b.axis())];
-    let one = S::one();
-    let reach = a
-        .in_units(from, one, by_x[0])
-        .reach()
-        .most(b.in_units(from, one, by_x[1]).reach());
+    let reach = a.reach(from).most(b.reach(from));
     let scale = scale_of::<S>(reach);
     let of_a = a.in_units(from, scale, by_x[0]).plain();
     let of_b = b.in_units(from, scale, by_x[1]).plain();
@@ -253,7 +165,10 @@ fn decided<S: Scalar>(
     farthest: bool,
     scale: S,
     by_x: [S; 2],
-) -> (CurvedRecord, Hints<S>) {
+) -> (CurvedRecord, [S; HINTS]) {
+    if !farthest && let Some((found, system)) = curved_search::quick(a, b) {
+        return hints::of(&found, &system, scale, by_x);
+    }
     let (found, side) = match farthest {
         true => (curved_search::search_farthest(a, b), -1.0),
         false => (curved_search::search(a, b), 1.0),
@@ -262,7 +177,7 @@ fn decided<S: Scalar>(
         Some(found) => {
             let found = found.replayed([a, b]);
             let [of_a, of_b] = solid_pair::pieces([a, b], &found, side);
-            let system = System::new([&of_a, &of_b], &found.touch);
+            let system: System<MOST> = System::new([&of_a, &of_b], &found.touch);
             hints::of(&found, &system, scale, by_x)
         }
         None => hints::none(),
@@ -273,21 +188,23 @@ fn decided<S: Scalar>(
 fn related<S, A, B>(
     a: &A,
     b: &B,
-    (record, hints): &(CurvedRecord, Hints<S>),
+    (record, hints): (CurvedRecord, &[S; HINTS]),
     side: f64,
+    has_points: bool,
 ) -> Relation<S>
 where
     S: Scalar,
     A: Curved<Scalar = S>,
     B: Curved<Scalar = S>,
 {
+    let hints = &Hints::load(hints);
     let from = a.anchor_point().constant();
     let [of_a, of_b] = hints.by_x;
     let (of_a, of_b) = (
         a.in_units(from, hints.scale, of_a),
         b.in_units(from, hints.scale, of_b),
     );
-    let found = replay(&of_a, &of_b, *record, hints, side);
+    let found = replay(&of_a, &of_b, record, hints, side, has_points);
     let back = S::one().over(hints.scale);
     let apart = found.apart * back;
     Relation {
@@ -307,8 +224,7 @@ where
     A: Curved<Scalar = S>,
     B: Curved<Scalar = S>,
 {
-    let (record, hints) = search(a, b, false);
-    (record, hints.store())
+    search(a, b, false)
 }
 
 /// Returns the relation of two shapes from the decisions and hints of [`curved_search`].
@@ -324,7 +240,23 @@ where
     A: Curved<Scalar = S>,
     B: Curved<Scalar = S>,
 {
-    inflated(a, b, related(a, b, &(record, Hints::load(hints)), 1.0))
+    inflated(a, b, related(a, b, (record, hints), 1.0, true))
+}
+
+/// Returns the relation that [`curved_replay`] returns, without normal and points.
+#[must_use]
+pub(crate) fn curved_distance<S, A, B>(
+    a: &A,
+    b: &B,
+    record: CurvedRecord,
+    hints: &[S; HINTS],
+) -> Relation<S>
+where
+    S: Scalar,
+    A: Curved<Scalar = S>,
+    B: Curved<Scalar = S>,
+{
+    inflated(a, b, related(a, b, (record, hints), 1.0, false))
 }
 
 /// Returns the relation of two shapes from that of the solids which they inflate.
@@ -350,7 +282,9 @@ where
     A: Curved<Scalar = S>,
     B: Curved<Scalar = S>,
 {
-    inflated(&a, &b, related(&a, &b, &search(&a, &b, false), 1.0))
+    let (record, hints) = search(&a, &b, false);
+    let found = related(&a, &b, (record, &hints), 1.0, true);
+    inflated(&a, &b, found)
 }
 
 /// Returns the longest distance of points of two shapes.
@@ -360,7 +294,8 @@ where
     A: Curved<Scalar = S>,
     B: Curved<Scalar = S>,
 {
-    let longest = related(&a, &b, &search(&a, &b, true), -1.0).apart;
+    let (record, hints) = search(&a, &b, true);
+    let longest = related(&a, &b, (record, &hints), -1.0, false).apart;
     let none = longest.at_most(S::zero());
     let radii = [a.rounding(), b.rounding()].map(|radius| radius.unwrap_or(S::zero()));
     let longest = if none { S::zero() } else { longest };
@@ -413,49 +348,4 @@ apart! {
     [A: InflatedCore<Scalar = S>] A, Disc<S>;
     [B: InflatedCore<Scalar = S>] Ellipsoid<S>, B;
     [B: InflatedCore<Scalar = S>] Disc<S>, B;
-}
-
-impl<S: Scalar> Bounded for Ellipsoid<S> {
-    #[inline]
-    fn lowest(self, normal: Vec3<S>) -> (S, Vec3<S>) {
-        let (ways, half) = (axes(self.rotation), halves(self.semi_axes));
-        let along = [0, 1, 2].each_as(|k| half[k] * ways[k].dot(normal));
-        let down = Vec3::new(along[0], along[1], along[2]);
-        let unit = direction(down);
-        let way = ways[0] * (half[0] * unit.x)
-            + ways[1] * (half[1] * unit.y)
-            + ways[2] * (half[2] * unit.z);
-        (normal.dot(self.center) - down.length(), self.center - way)
-    }
-}
-
-impl<S: Scalar> Bounded for Disc<S> {
-    #[inline]
-    fn lowest(self, normal: Vec3<S>) -> (S, Vec3<S>) {
-        let (down, way) = super::half_space::lowest_of_circle(self.normal, self.radius, normal);
-        (normal.dot(self.center) - down, self.center - way)
-    }
-    #[inline]
-    fn face(self, toward: Vec3<S>) -> PatchName
-    where
-        S: Scalar<Mask = bool>,
-    {
-        let axis = self.normal.normalize_or_zero();
-        match axis.dot(toward).unsigned().below(S::lit(0.5)) {
-            true => PatchName::Spot,
-            false => PatchName::rim(0, axis),
-        }
-    }
-    #[inline]
-    fn patch(self, name: PatchName, _: Vec3<S>) -> Patch<S> {
-        match name {
-            PatchName::Rim { helper, .. } => Patch::rim(
-                self.center,
-                self.normal.normalize_or_zero(),
-                helper,
-                self.radius,
-            ),
-            _ => Patch::Spot,
-        }
-    }
 }

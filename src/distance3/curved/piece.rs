@@ -16,22 +16,28 @@ pub enum PieceKind {
     Side,
     /// An ellipsoid, by a vector of length one.
     Ball,
-    /// The surface of a shape that has only a support function, by the normal.
+    /// A point that moves with the normal: the support of a round shape.
     Own,
+    /// A straight line that moves with the normal, by the share of its length.
+    Ruled,
 }
 
 impl PieceKind {
     /// Returns the number of coordinates along ways.
     pub fn ways(self) -> usize {
         match self {
-            PieceKind::Point | PieceKind::Line | PieceKind::Own => 0,
+            PieceKind::Point | PieceKind::Line | PieceKind::Own | PieceKind::Ruled => 0,
             PieceKind::Face | PieceKind::Rim | PieceKind::Side => 2,
             PieceKind::Ball => 3,
         }
     }
     /// Returns `true` if a share of an axis is a parameter.
     pub fn has_axis(self) -> bool {
-        matches!(self, PieceKind::Line | PieceKind::Side)
+        matches!(self, PieceKind::Line | PieceKind::Side | PieceKind::Ruled)
+    }
+    /// Returns `true` if the piece moves with the normal.
+    pub fn turns(self) -> bool {
+        matches!(self, PieceKind::Own | PieceKind::Ruled)
     }
     /// Returns the number of unknowns: coordinates, their multiplier and the share.
     pub fn unknowns(self) -> usize {
@@ -52,7 +58,8 @@ pub struct Piece<S> {
     pub from: Vec3<S>,
     /// The vector along the edge or the axis.
     pub along: Vec3<S>,
-    /// Directions of length one; of an own surface the derivatives of its point by the normal's coordinates.
+    /// Directions of length one; of a piece that moves with the normal the derivatives of its points by the normal's
+    /// coordinates, over the size at their share of the axis.
     pub ways: [Vec3<S>; 3],
     /// Lengths along the ways at the start of the axis.
     pub sizes: [S; 3],

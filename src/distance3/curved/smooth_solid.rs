@@ -42,9 +42,10 @@ pub enum Solid<S> {
     Simplex { corners: [Vec3<S>; 4], count: usize },
 }
 
-/// The corners of a simplex's edges and faces.
-const EDGES: [[usize; 2]; 6] = [[0, 1], [1, 2], [2, 0], [0, 3], [1, 3], [2, 3]];
-const FACES: [[usize; 3]; 4] = [[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]];
+/// The corners of a simplex's edges.
+pub const EDGES: [[usize; 2]; 6] = [[0, 1], [1, 2], [2, 0], [0, 3], [1, 3], [2, 3]];
+/// The corners of a simplex's faces.
+pub const FACES: [[usize; 3]; 4] = [[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]];
 
 /// Returns one if directions across a vector begin with that across x, zero if across y: whichever the vector is farther
 /// from.

@@ -1,6 +1,6 @@
 //! Two solids, and what a search finds of them.
 use super::super::gjk::PointDifference;
-use super::piece::{Piece, PieceKind};
+use super::piece::Piece;
 use super::support::Supported;
 use super::touch::Touch;
 use crate::Vec3;
@@ -42,9 +42,11 @@ impl Solids<'_> {
     pub fn pieces(&self, [i, j]: [usize; 2], normal: Vec3<f64>) -> [Piece<f64>; 2] {
         let out = normal * self.side;
         let mut both = [self.a.piece(i, out), self.b.piece(j, -out)];
-        for piece in both.iter_mut().filter(|piece| piece.kind == PieceKind::Own) {
-            // Derivatives by the normal instead of the outer one.
-            piece.ways = piece.ways.map(|way| way * self.side);
+        if self.side < 0.0 {
+            for piece in both.iter_mut().filter(|piece| piece.kind.turns()) {
+                // Derivatives by the normal instead of the outer one.
+                piece.ways = piece.ways.map(|way| -way);
+            }
         }
         both
     }

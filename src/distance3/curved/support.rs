@@ -1,4 +1,6 @@
 //! Convex solids of plain numbers by their supports.
+use super::by_normal::TURNED;
+use super::mix::Mix;
 use super::piece::{Piece, PieceKind, Place};
 use super::smooth_solid::Solid;
 use crate::{Scalar, Vec3};
@@ -24,6 +26,22 @@ pub trait Supported {
             _ => piece.from,
         }
     }
+    /// Returns the farthest point in a direction, and a code of the corner, the end or the rim that it is on.
+    fn coded(&self, way: Vec3<f64>) -> (Vec3<f64>, usize) {
+        (self.support(way), 0)
+    }
+    /// Returns the number of the piece that the nearest point is on, and a place, given the points whose mean it is, that
+    /// mean, and the outer normal; `None` where it is not clear.
+    fn likely(&self, mix: &Mix, at: Vec3<f64>, normal: Vec3<f64>) -> Option<(usize, Place<f64>)>;
+    /// Returns the dimension of the set of highest points along a normal, within a slack.
+    fn flatness(&self, _normal: Vec3<f64>, _slack: f64) -> usize {
+        0
+    }
+    /// Returns `true` if no other points than those of a piece with a dimension are nearly as high along a normal, where
+    /// this matters for derivatives.
+    fn is_plain(&self, _normal: Vec3<f64>, _dimension: usize) -> bool {
+        true
+    }
     /// Returns the number by which a replay evaluates a piece, and a point's place on that.
     fn replayed(&self, k: usize, place: &Place<f64>) -> (usize, Place<f64>) {
         (k, *place)
@@ -39,9 +57,19 @@ fn unit([x, y]: [f64; 2]) -> [f64; 2] {
     }
 }
 
+/// The square of a length above which it is computed by its square.
+const LONG: f64 = 1e-200;
+
 /// Returns the farthest point of a disc about the origin.
+#[inline(always)]
 fn on_circle(ways: [Vec3<f64>; 2], radius: f64, way: Vec3<f64>) -> Vec3<f64> {
-    let [x, y] = unit(ways.map(|own| own.dot(way)));
+    let [x, y] = ways.map(|own| own.dot(way));
+    let square = x * x + y * y;
+    if square > LONG {
+        let by = radius / square.sqrt();
+        return ways[0] * (x * by) + ways[1] * (y * by);
+    }
+    let [x, y] = unit([x, y]);
     (ways[0] * x + ways[1] * y) * radius
 }
 
@@ -50,11 +78,15 @@ impl Supported for Solid<f64> {
         match *self {
             Solid::Ball { center, ways, half } => {
                 let y = [0, 1, 2].map(|k| half[k] * ways[k].dot(way));
-                let length = Vec3::new(y[0], y[1], y[2]).length();
-                match length > 0.0 {
-                    true => (0..3).fold(center, |at, k| at + ways[k] * (half[k] * y[k] / length)),
-                    false => center,
-                }
+                let square = y[0] * y[0] + y[1] * y[1] + y[2] * y[2];
+                let over = match square > LONG {
+                    true => 1.0 / square.sqrt(),
+                    false => {
+                        let length = Vec3::new(y[0], y[1], y[2]).length();
+                        if length > 0.0 { 1.0 / length } else { 0.0 }
+                    }
+                };
+                (0..3).fold(center, |at, k| at + ways[k] * (half[k] * (y[k] * over)))
             }
             Solid::Disc {
                 center,
@@ -115,7 +147,7 @@ impl Supported for Solid<f64> {
     fn size(&self) -> f64 {
         match *self {
             Solid::Ball { half, .. } | Solid::Box { half, .. } => {
-                Scalar::hypot(Scalar::hypot(half[0], half[1]), half[2])
+                Vec3::new(half[0], half[1], half[2]).length()
             }
             Solid::Disc { radius, .. } => radius,
             Solid::Cylinder { axis, radius, .. } | Solid::Cone { axis, radius, .. } => {
@@ -132,13 +164,23 @@ impl Supported for Solid<f64> {
     fn pieces(&self) -> usize {
         Solid::pieces(self)
     }
-    fn piece(&self, k: usize, _: Vec3<f64>) -> Piece<f64> {
-        Solid::piece(self, k)
+    fn piece(&self, k: usize, normal: Vec3<f64>) -> Piece<f64> {
+        self.seen(k, normal, true)
+    }
+    fn coded(&self, way: Vec3<f64>) -> (Vec3<f64>, usize) {
+        let point = self.support(way);
+        (point, self.code(way, point))
+    }
+    fn likely(&self, mix: &Mix, at: Vec3<f64>, normal: Vec3<f64>) -> Option<(usize, Place<f64>)> {
+        self.likely_piece(mix, at, normal)
+    }
+    fn flatness(&self, normal: Vec3<f64>, slack: f64) -> usize {
+        self.flat(normal, slack)
     }
     fn clamped(&self, k: usize, place: &Place<f64>) -> Place<f64> {
         let mut place = *place;
         place.s = place.s.clamp(0.0, 1.0);
-        if Solid::piece(self, k).kind == PieceKind::Face {
+        if k < TURNED && Solid::piece(self, k).kind == PieceKind::Face {
             let [x, y, _] = place.y;
             let [x, y] = match self {
                 Solid::Box { .. } => [x.clamp(-1.0, 1.0), y.clamp(-1.0, 1.0)],
@@ -203,7 +245,7 @@ pub fn start(piece: &Piece<f64>, at: Vec3<f64>, normal: Vec3<f64>, by_normal: bo
             place.pull = along[0] * x + along[1] * y;
         }
         PieceKind::Ball => place = on_ball(piece, arm, normal, by_normal),
-        PieceKind::Point | PieceKind::Line | PieceKind::Own => {}
+        PieceKind::Point | PieceKind::Line | PieceKind::Own | PieceKind::Ruled => {}
     }
     place
 }

@@ -7,12 +7,17 @@
 //! or has no extent, and where the distance is zero.
 use super::piece::{Piece, PieceKind, Place};
 use super::support::shares;
+use crate::arrays::Each;
 use crate::{Scalar, Vec3};
 
 /// The most unknowns: two of the normal, four of each place.
 pub const MOST: usize = 10;
+/// The most unknowns of pieces without coordinates of length one: two of the normal, two of each place.
+pub const FEW: usize = 6;
 /// A pivot below which an equation depends on others, relative to its largest coefficient.
 const DEPENDENT: f64 = 1e-12;
+/// A determinant of two equations above which they are independent, relative to its terms.
+const CLEAR: f64 = 1e-6;
 /// A largest coefficient below which an equation says nothing; its inverse is finite in every format.
 const NONE: f64 = 1e-18;
 
@@ -38,13 +43,16 @@ pub struct Units<S> {
 
 impl Units<f64> {
     fn of(piece: &Piece<f64>, place: &Place<f64>) -> Self {
-        let length = piece.by_share(place).length();
-        let most = piece.sizes.iter().copied().fold(0.0, f64::max);
+        let length = match piece.kind.has_axis() {
+            true => piece.by_share(place).length(),
+            false => 0.0,
+        };
+        let most = match piece.kind {
+            PieceKind::Ball => piece.sizes.iter().copied().fold(0.0, f64::max),
+            _ => 0.0,
+        };
         Units {
-            over: match piece.kind == PieceKind::Ball && most > 0.0 {
-                true => 1.0 / most,
-                false => 0.0,
-            },
+            over: if most > 0.0 { 1.0 / most } else { 0.0 },
             axis: if length > 0.0 { 1.0 / length } else { 0.0 },
         }
     }
@@ -66,38 +74,41 @@ pub fn tangents(normal: Vec3<f64>) -> [Vec3<f64>; 2] {
         false => Vec3::new(0.0, 1.0, 0.0),
     };
     let first = normal.cross(axis);
-    let first = first * (1.0 / first.length());
+    let first = first * (1.0 / first.length_squared().sqrt());
     [first, normal.cross(first)]
-}
-
-/// Returns the vector of constants.
-pub fn lit<S: Scalar>(v: Vec3<f64>) -> Vec3<S> {
-    Vec3::new(S::lit(v.x), S::lit(v.y), S::lit(v.z))
 }
 
 /// The equations about a touch: their derivatives by all unknowns, decomposed. Equations that depend on others are left
 /// out, with as many unknowns, which keep their values.
-pub struct System {
-    matrix: [[f64; MOST]; MOST],
+#[derive(Clone, Copy)]
+pub struct System<const N: usize> {
+    matrix: [[f64; N]; N],
     /// The number of unknowns.
     pub count: usize,
     /// The number of independent equations.
     pub rank: usize,
-    rows: [usize; MOST],
-    columns: [usize; MOST],
+    rows: [usize; N],
+    columns: [usize; N],
     /// Its constants.
     pub frame: Frame<f64>,
 }
 
-impl System {
+impl<const N: usize> System<N> {
     /// Returns the system of two pieces near a touch.
     pub fn new(pieces: [&Piece<f64>; 2], touch: &Touch<f64>) -> Self {
+        let mut system = Self::equations(pieces, touch);
+        system.decompose();
+        system
+    }
+    /// Returns the same before it is decomposed.
+    #[inline(always)]
+    pub fn equations(pieces: [&Piece<f64>; 2], touch: &Touch<f64>) -> Self {
         let places = [&touch.a, &touch.b];
         let gap = touch
             .normal
             .dot(pieces[1].at(&touch.b) - pieces[0].at(&touch.a));
         let mut system = System {
-            matrix: [[0.0; MOST]; MOST],
+            matrix: [[0.0; N]; N],
             count: 2,
             rank: 0,
             rows: std::array::from_fn(|k| k),
@@ -111,7 +122,6 @@ impl System {
         system.matrix[1][1] = -gap;
         system.add(pieces[0], places[0], touch.normal, 0);
         system.add(pieces[1], places[1], -touch.normal, 1);
-        system.decompose();
         system
     }
     /// Adds the unknowns and equations of a piece with an outer normal.
@@ -148,8 +158,11 @@ impl System {
                 m[share][k] = -sign * tangent.dot(step) * units.axis;
             }
         }
-        if kind == PieceKind::Own {
-            let [x, y, z] = piece.ways;
+        if kind.turns() {
+            let [x, y, z] = match kind {
+                PieceKind::Ruled => piece.ways.each_as(|way| way * piece.size(0, place.s)),
+                _ => piece.ways,
+            };
             for (row, tangent) in m.iter_mut().zip(&self.frame.tangents) {
                 for (place, &t) in row.iter_mut().zip(&self.frame.tangents) {
                     *place -= tangent.dot(x * t.x + y * t.y + z * t.z);
@@ -158,10 +171,24 @@ impl System {
         }
         self.count = share + usize::from(kind.has_axis());
     }
+    /// Returns the changes that make up for residuals of two equations that are not decomposed; `None` of others, and of
+    /// equations that depend on each other.
+    #[inline(always)]
+    pub fn solve_two(&self, residuals: &[f64; N]) -> Option<[f64; N]> {
+        let [[a, b], [c, d]] = [0, 1].map(|k: usize| [self.matrix[k][0], self.matrix[k][1]]);
+        let (product, other) = (a * d, b * c);
+        let rest = product - other;
+        let over = 1.0 / rest;
+        let (x, y) = (residuals[0], residuals[1]);
+        let mut changes = [0.0; N];
+        (changes[0], changes[1]) = ((d * x - b * y) * over, (a * y - c * x) * over);
+        let clear = rest.abs() > CLEAR * product.abs().max(other.abs());
+        (self.count == 2 && clear).then_some(changes)
+    }
     /// Decomposes the matrix, the largest pivot first.
-    fn decompose(&mut self) {
+    pub fn decompose(&mut self) {
         let (n, m) = (self.count, &mut self.matrix);
-        let mut scales = [0.0; MOST];
+        let mut scales = [0.0; N];
         for (scale, row) in scales.iter_mut().zip(&*m).take(n) {
             let most = row[..n].iter().fold(0.0_f64, |most, x| most.max(x.abs()));
             *scale = if most > NONE { 1.0 / most } else { 0.0 };
@@ -193,14 +220,14 @@ impl System {
         }
     }
     /// Returns the changes of the unknowns that make up for residuals.
-    pub fn solve(&self, residuals: &[f64; MOST]) -> [f64; MOST] {
+    pub fn solve(&self, residuals: &[f64; N]) -> [f64; N] {
         let factor = |i: usize, j: usize| self.matrix[self.rows[i]][self.columns[j]];
-        let mut sums = [0.0; MOST];
+        let mut sums = [0.0; N];
         for i in 0..self.rank {
             let all = residuals[self.rows[i]];
             sums[i] = (0..i).fold(all, |sum, j| sum - sums[j] * factor(i, j));
         }
-        let mut changes = [0.0; MOST];
+        let mut changes = [0.0; N];
         for i in (0..self.rank).rev() {
             let later = i + 1..self.rank;
             let sum = later.fold(sums[i], |sum, j| {
@@ -213,10 +240,10 @@ impl System {
     }
     /// Returns the inverse of the matrix: the changes by each residual. Rows and columns of equations that are left out
     /// are zero.
-    pub fn inverse(&self) -> [[f64; MOST]; MOST] {
-        let mut inverse = [[0.0; MOST]; MOST];
+    pub fn inverse(&self) -> [[f64; N]; N] {
+        let mut inverse = [[0.0; N]; N];
         for k in 0..self.count {
-            let mut residuals = [0.0; MOST];
+            let mut residuals = [0.0; N];
             residuals[k] = 1.0;
             for (row, change) in inverse.iter_mut().zip(self.solve(&residuals)) {
                 row[k] = change;
@@ -228,8 +255,8 @@ impl System {
 
 impl<S: Scalar> Frame<S> {
     /// Returns by how much a touch misses the equations.
-    pub fn residuals(&self, pieces: [&Piece<S>; 2], touch: &Touch<S>) -> [S; MOST] {
-        let mut out = [S::zero(); MOST];
+    pub fn residuals<const N: usize>(&self, pieces: [&Piece<S>; 2], touch: &Touch<S>) -> [S; N] {
+        let mut out = [S::zero(); N];
         let way = pieces[1].at(&touch.b) - pieces[0].at(&touch.a);
         let gap = touch.normal.dot(way);
         for (out, &tangent) in out.iter_mut().zip(&self.tangents) {
@@ -268,12 +295,13 @@ impl<S: Scalar> Frame<S> {
         out
     }
     /// Returns a touch less some changes; coordinates of length one keep it.
-    pub fn moved(&self, kinds: [PieceKind; 2], touch: &Touch<S>, changes: &[S; MOST]) -> Touch<S> {
+    pub fn moved(&self, kinds: [PieceKind; 2], touch: &Touch<S>, changes: &[S]) -> Touch<S> {
         let mut next = *touch;
         for (&tangent, &change) in self.tangents.iter().zip(changes) {
             next.normal -= tangent * change;
         }
-        next.normal = next.normal.normalize_or_zero();
+        // Of about length one, so that its square is in the format.
+        next.normal = next.normal * S::one().over(next.normal.length_squared().root());
         let mut at = 2;
         for (kind, place) in kinds.into_iter().zip([&mut next.a, &mut next.b]) {
             let ways = 0..kind.ways();

@@ -161,7 +161,7 @@ impl<S: Scalar> ByCorners for Obb3<S> {
 }
 
 /// Returns the derivatives by a quaternion, given those by a small turn after it.
-fn by_turn<S: Scalar>(q: Rotation3<S>, turn: Vec3<S>) -> Rotation3<S> {
+pub(crate) fn by_turn<S: Scalar>(q: Rotation3<S>, turn: Vec3<S>) -> Rotation3<S> {
     let scale = scale_of::<S>(largest([q.w, q.x, q.y, q.z]));
     let [w, x, y, z] = [q.w, q.x, q.y, q.z].each_as(|part| part * scale);
     let square = (w * w + x * x) + (y * y + z * z);

@@ -45,20 +45,20 @@ impl PointColumns {
     /// Returns the number of the first of the highest points along a direction, and the point.
     #[inline]
     pub fn highest(&self, way: Vec3<f64>) -> (usize, Vec3<f64>) {
-        let mut most = [f64::NEG_INFINITY; LANES];
-        for group in &self.groups {
+        let (mut most, mut places) = ([f64::NEG_INFINITY; LANES], [0.0; LANES]);
+        for (k, group) in self.groups.iter().enumerate() {
             let heights = heights(group, way);
-            for (most, height) in most.iter_mut().zip(heights) {
-                *most = if height > *most { height } else { *most };
+            for lane in 0..LANES {
+                let higher = heights[lane] > most[lane];
+                most[lane] = if higher { heights[lane] } else { most[lane] };
+                places[lane] = if higher { k as f64 } else { places[lane] };
             }
         }
         let top = most.into_iter().fold(f64::NEG_INFINITY, f64::max);
-        // The same operations again have the same result.
-        let found = self.groups.iter().enumerate().find_map(|(k, group)| {
-            let heights = heights(group, way);
-            let lane = heights.iter().position(|&height| height == top)?;
-            Some(k * LANES + lane)
-        });
+        // The first of those that are equally high.
+        let numbers = (0..LANES).filter(|&lane| most[lane] == top);
+        let numbers = numbers.map(|lane| places[lane] as usize * LANES + lane);
+        let found = numbers.min();
         let number = found.unwrap_or(0);
         (number, self.point(number))
     }

@@ -4,7 +4,7 @@ use super::body::Body;
 use super::expansion;
 use super::highest_point::PointColumns;
 use super::hull_record::{FeaturePair, HullFeatures, HullRecord, spanning};
-use super::near_features::{Near, edges, from_edge, nearest, of_edges};
+use super::near_features::{Near, edges, from_edge, long, nearest, of_edges};
 use super::parting_planes as planes;
 use super::patch;
 use crate::Vec3;
@@ -169,7 +169,7 @@ fn few(
     slack: f64,
 ) -> Option<HullFeatures> {
     const REACHED: f64 = 1e-12;
-    let length = seen.way.length();
+    let length = long(seen.way);
     let way = seen.way * (1.0 / length);
     // A short vector has few digits.
     let low = LOW.max(4.0 * slack).max(DIGITS / length);
@@ -182,7 +182,7 @@ fn few(
     for &i in of_a.corners() {
         for &j in of_b.corners() {
             let features = HullFeatures::new(FeaturePair::Corners, &[i], &[j]);
-            all.add((b.point(j) - a.point(i)).length(), features);
+            all.add(long(b.point(j) - a.point(i)), features);
         }
         for side in of_b.sides() {
             if let Some(distance) = from_edge(side.map(|k| b.point(k)), a.point(i)) {

@@ -49,7 +49,7 @@ use crate::distance::share::Best;
 use crate::scalar::{Guard, noted};
 use crate::{Hull3, Pack, Scalar, Vec3};
 pub(super) use body::{Body as HullBody, Face as HullFace};
-pub(crate) use corner_slopes::{ByCorners, corner_slopes};
+pub(crate) use corner_slopes::{ByCorners, by_turn, corner_slopes};
 use facing_ring::facing;
 pub(super) use highest_point::PointColumns;
 pub(super) use hull_record::around;

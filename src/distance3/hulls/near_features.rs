@@ -13,6 +13,11 @@ pub(super) struct Near {
     pub features: HullFeatures,
 }
 
+/// Returns the length of a vector in units of the hulls' size; zero where its square is below the format.
+pub(super) fn long(v: Vec3<f64>) -> f64 {
+    v.length_squared().sqrt()
+}
+
 /// Returns the distance of a point from the open part of an edge; `None` where an end is nearer.
 pub(super) fn from_edge([from, to]: [Vec3<f64>; 2], point: Vec3<f64>) -> Option<f64> {
     let (along, arm, back) = (to - from, point - from, to - point);
@@ -23,8 +28,8 @@ pub(super) fn from_edge([from, to]: [Vec3<f64>; 2], point: Vec3<f64>) -> Option<
     }
     // From the nearer end, whose distance has more digits.
     Some(match ahead <= behind {
-        true => (arm - along * (ahead / square)).length(),
-        false => (along * (behind / square) - back).length(),
+        true => long(arm - along * (ahead / square)),
+        false => long(along * (behind / square) - back),
     })
 }
 
@@ -39,7 +44,7 @@ pub(super) fn of_edges(a: [Vec3<f64>; 2], b: [Vec3<f64>; 2]) -> Option<f64> {
     let s = w.cross(v).dot(product) / square;
     let t = (u.dot(v) * s - w.dot(v)) / along;
     let open = |x: f64| 0.0 < x && x < 1.0;
-    (open(s) && open(t)).then(|| (w + v * t - u * s).length())
+    (open(s) && open(t)).then(|| long(w + v * t - u * s))
 }
 
 /// Returns the height of a point over a face with a ring of corners, if it is not below it by more than a slack, and
