@@ -141,7 +141,7 @@ where
             // the derivative of its time, and two its square.
             let (mut shift, mut way_now) = (S::zero(), S::zero());
             for _ in 0..2 {
-                let (way, _) = tangents(sides(shift));
+                let (way, _) = tangents(sides(shift), width);
                 way_now = S::from_primal(way.primal());
                 shift += way - way_now;
             }

@@ -20,6 +20,7 @@ mod program_random;
 mod proofs;
 mod quads;
 mod scatter;
+mod searches;
 mod shrinking;
 mod strategy;
 mod ties;

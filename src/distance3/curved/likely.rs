@@ -4,7 +4,7 @@ use super::mix::{Mix, along, within};
 use super::piece::{Piece, PieceKind, Place};
 use super::smooth_solid::{EDGES, FACES, Solid};
 use super::support::start;
-use crate::{Scalar, Vec3};
+use crate::Vec3;
 
 /// The sine of the angle between a normal and an axis below which a round piece moves too fast with the normal.
 const STEADY: f64 = 1e-3;
