@@ -62,7 +62,7 @@ use grip::Grip;
 use hints::Hints;
 pub(crate) use hints::{CurvedRecord, HINTS};
 use piece::{Piece, Place};
-pub(crate) use slopes_by_hand::{Gripped, curved_slopes};
+pub(crate) use slopes_by_hand::curved_slopes;
 use smooth_solid::{Solid, begins_by_x};
 use support::Supported;
 use touch::{MOST, System};
