@@ -4,7 +4,7 @@ use crate::catalogue::{Row, Verb};
 use crate::lent::{LentNumbers, array_of};
 use crate::number::Number;
 use crate::polygon_calls::{polygon_measure, polygon_overlap};
-use crate::polygon_points::polygon_distance;
+use crate::polygon_points::{plain_points, polygon_distance};
 use crate::polygons::Polygons;
 use crate::raised;
 use crate::separation::polygons_apart;
@@ -67,22 +67,6 @@ fn of_points<'py>(
         }
         None => Ok(None),
     }
-}
-
-/// Returns points as an array of rows in the format of a call with polygons; `None` for what is converted first.
-pub fn plain_points<'py>(x: &Object<'py>, polygons: &Polygons) -> Option<Object<'py>> {
-    let array = match x.cast::<Shape>() {
-        Ok(shape) => match &shape.get().content {
-            Content::Array(array) if table().name(shape.get().kind) == "Vec2" => {
-                array.bind(x.py()).clone()
-            }
-            _ => return None,
-        },
-        Err(_) => x.cast_exact::<PyUntypedArray>().ok()?.clone(),
-    };
-    let is_single = !polygons.is_double() && array.cast::<PyArray2<f32>>().is_ok();
-    let is_plain = is_single || array.cast::<PyArray2<f64>>().is_ok();
-    (is_plain && array.is_c_contiguous() && array.shape()[1] == 2).then(|| array.into_any())
 }
 
 /// Returns the value of a verb of paths alone, one number for each.

@@ -1,16 +1,17 @@
 //! Points and polygons: distances, and what contains what.
-use crate::at_once::plain_points;
 use crate::lent::array_of;
 use crate::polygon_calls::{
     Bars, fill, in_format, in_runs, in_watched_runs, listed, numbers, place, together,
 };
 use crate::polygons::{Format, Polygons, rows, vectors};
 use crate::raised;
+use crate::shapes::{Content, Shape};
+use crate::table::table;
 use geograd::ad::adjoint::polygon as adjoint;
 use geograd::error::{Argument, Validate};
 use geograd::polygon::{Fill, Slabs};
 use geograd::{Error, Vec2};
-use numpy::{PyArray1, PyArrayDyn};
+use numpy::{PyArray1, PyArray2, PyArrayDyn, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
 type Object<'py> = Bound<'py, PyAny>;
@@ -19,6 +20,22 @@ type Object<'py> = Bound<'py, PyAny>;
 const MANY: usize = 32;
 /// The points between two looks at an interruption.
 const LOOK: usize = 64;
+
+/// Returns points as an array of rows in the format of a call with polygons; `None` for what is converted first.
+pub fn plain_points<'py>(x: &Object<'py>, polygons: &Polygons) -> Option<Object<'py>> {
+    let array = match x.cast::<Shape>() {
+        Ok(shape) => match &shape.get().content {
+            Content::Array(array) if table().name(shape.get().kind) == "Vec2" => {
+                array.bind(x.py()).clone()
+            }
+            _ => return None,
+        },
+        Err(_) => x.cast_exact::<PyUntypedArray>().ok()?.clone(),
+    };
+    let is_single = !polygons.is_double() && array.cast::<PyArray2<f32>>().is_ok();
+    let is_plain = is_single || array.cast::<PyArray2<f64>>().is_ok();
+    (is_plain && array.is_c_contiguous() && array.shape()[1] == 2).then(|| array.into_any())
+}
 
 /// The signed distance of points and polygons, negative inside, or with `is_of_area` the distance from what the border
 /// encloses; with cotangents of these those of points and vertices.
