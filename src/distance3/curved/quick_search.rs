@@ -131,7 +131,8 @@ impl Solids<'_> {
             }
         };
         let length = way.length();
-        if !(length > APART * self.size) {
+        let is_apart = length > APART * self.size;
+        if !is_apart {
             return None;
         }
         let start = lowest(way);
