@@ -8,10 +8,9 @@ use crate::polygon_points::{plain_points, polygon_distance};
 use crate::polygons::Polygons;
 use crate::raised;
 use crate::separation::polygons_apart;
-use crate::shapes::{Content, Paths, Shape};
-use crate::table::table;
+use crate::shapes::Paths;
 use crate::threads::on_threads;
-use numpy::{PyArray2, PyUntypedArray, PyUntypedArrayMethods};
+use numpy::{PyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
