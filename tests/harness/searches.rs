@@ -50,7 +50,7 @@ impl<const FROZEN: bool> Search for TowardEnd<FROZEN> {
     }
 }
 
-/// The square root of one and the square of a number, by a Newton step whose sign may be wrong.
+/// The square root of one and the square of a number, by Newton steps whose sign may be wrong.
 #[derive(Clone, Copy, Debug, Default)]
 struct Root<const TURNED: bool>;
 
@@ -68,8 +68,11 @@ impl<const TURNED: bool> HintedSearch for Root<TURNED> {
         ((), [(x * x + S::one()).root()])
     }
     fn replay_with_hints<S: Scalar>(x: S, (): (), [root]: [S; 1]) -> S {
-        let step = (root * root - (x * x + S::one())).over(root + root);
-        if TURNED { root + step } else { root - step }
+        // Two steps make derivatives of both orders right.
+        (0..2).fold(root, |root, _| {
+            let step = (root * root - (x * x + S::one())).over(root + root);
+            if TURNED { root + step } else { root - step }
+        })
     }
 }
 
