@@ -1,6 +1,6 @@
 //! Distances of curved shapes of space as operations, with a search that hands hints to the replay.
 use crate::distance3::curved::{
-    CurvedRecord, HINTS, curved_distance, curved_replay, curved_search, curved_slopes,
+    CurvedRecord, HINTS, curved_replay, curved_search, curved_slopes,
 };
 use crate::distance3::relation::Relation;
 use crate::distance3::{Apart, Contact3, PointPair3};
@@ -11,13 +11,11 @@ use crate::{
     YawBox3,
 };
 
-/// Replays a search with points, or without for verbs that have none.
-macro_rules! replayed {
-    (distance, $a:ident, $b:ident, $record:ident, $hints:ident) => { curved_distance(&$a, &$b, $record, &$hints) };
-    (signed_distance, $a:ident, $b:ident, $record:ident, $hints:ident) => {
-        curved_distance(&$a, &$b, $record, &$hints)
-    };
-    ($replay:ident, $a:ident, $b:ident, $record:ident, $hints:ident) => { curved_replay(&$a, &$b, $record, &$hints) };
+/// Says if a verb reads the points of a relation.
+macro_rules! has_points {
+    (distance) => { false };
+    (signed_distance) => { false };
+    ($replay:ident) => { true };
 }
 
 /// The result and the cotangents of both shapes by hand, for verbs without points.
@@ -107,7 +105,7 @@ macro_rules! curved_rows {
                 record: CurvedRecord,
                 hints: [S; HINTS],
             ) -> $out {
-                replayed!($replay, a, b, record, hints).$replay()
+                curved_replay(&a, &b, record, &hints, has_points!($replay)).$replay()
             }
             fn adjoint_with_hints<S: crate::Real>(
                 (a, b): Self::In<S>,

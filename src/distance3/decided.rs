@@ -130,7 +130,7 @@ macro_rules! curved {
                 curved_search(self, other)
             }
             fn replayed(&self, other: &$B, record: &CurvedRecord, hints: &[S; HINTS]) -> Relation<S> {
-                curved_replay(self, other, *record, hints)
+                curved_replay(self, other, *record, hints, true)
             }
             fn named(&self, other: &$B, [a, b]: [PatchName; 2], normal: Vec3<S>) -> [Patch<S>; 2] {
                 [self.patch(a, normal), other.patch(b, -normal)]

@@ -412,11 +412,11 @@ impl AlongDirection<'_> {
         let own = (test.derivative, tolerance);
         if self.flat(row, sides, own)
             || is_tie
-            || e.branches_nearby(row, self.direction, own)
             || self.beyond(test)
             // Nothing is known beyond the border, and a kink may lie on it.
             || (unknown && border)
             || (unknown && self.chosen_here(row))
+            || e.branches_nearby(row, self.direction, own)
         {
             notes.convention = true;
         } else if test

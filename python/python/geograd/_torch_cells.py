@@ -8,6 +8,7 @@ import numpy as np
 import torch
 
 import geograd
+from geograd._torch_host import array
 
 
 class CellMeasures(NamedTuple):
@@ -19,14 +20,6 @@ class CellMeasures(NamedTuple):
     centroids: torch.Tensor
     #: The energy of transport: one number.
     energy: torch.Tensor
-
-
-def _array(name: str, tensor: Any) -> Any:
-    if not isinstance(tensor, torch.Tensor) or tensor.dtype not in (torch.float32, torch.float64):
-        raise TypeError(f"{name}: a tensor of float32 or float64 is needed")
-    if tensor.device.type != "cpu":
-        raise TypeError(f"{name}: cells are on the CPU, and a tensor is on {tensor.device}: move it with .cpu()")
-    return tensor.detach().numpy()
 
 
 class _Measured(torch.autograd.Function):
@@ -54,8 +47,8 @@ def cells(sites: torch.Tensor, weights: Optional[torch.Tensor] = None, *, domain
 
     Results have first derivatives by sites and weights.
     """
-    rows = _array("sites", sites)
+    rows = array("sites", sites, "cells")
     if weights is None:
         weights = torch.zeros(len(sites), dtype=sites.dtype)
-    made = geograd.Cells(rows, _array("weights", weights), domain=domain)
+    made = geograd.Cells(rows, array("weights", weights, "cells"), domain=domain)
     return CellMeasures(*_Measured.apply(sites, weights, made))  # type: ignore[no-untyped-call]

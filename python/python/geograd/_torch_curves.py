@@ -8,14 +8,7 @@ import numpy as np
 import torch
 
 import geograd
-
-
-def _array(name: str, tensor: Any) -> Any:
-    if not isinstance(tensor, torch.Tensor) or tensor.dtype not in (torch.float32, torch.float64):
-        raise TypeError(f"{name}: a tensor of float32 or float64 is needed")
-    if tensor.device.type != "cpu":
-        raise TypeError(f"{name}: curves are on the CPU, and a tensor is on {tensor.device}: move it with .cpu()")
-    return np.ascontiguousarray(tensor.detach().numpy(), np.float64)
+from geograd._torch_host import array
 
 
 class _Measured(torch.autograd.Function):
@@ -38,7 +31,7 @@ class _Distance(torch.autograd.Function):
 
     @staticmethod
     def forward(ctx: Any, path: Any, points: torch.Tensor, numbers: torch.Tensor) -> torch.Tensor:
-        ctx.path, ctx.rows = path, _array("points", points).reshape(-1, 2)
+        ctx.path, ctx.rows = path, array("points", points, "curves").reshape(-1, 2)
         ctx.save_for_backward(points, numbers)
         return torch.from_numpy(path.distance(ctx.rows)).to(points.dtype).reshape(points.shape[:-1])
 
@@ -63,7 +56,7 @@ class CurvePath:
     __module__ = "geograd.torch"
 
     def __init__(self, steps: str, numbers: torch.Tensor) -> None:
-        self.column = geograd.CurvePath(steps, _array("numbers", numbers))
+        self.column = geograd.CurvePath(steps, array("numbers", numbers, "curves"))
         self.steps, self.numbers = steps, numbers
 
     def __repr__(self) -> str:

@@ -11,27 +11,20 @@ import geograd
 from geograd import _core
 from geograd._mesh import SOLIDS, energy_columns
 from geograd._shapes import CLASSES
+from geograd._torch_host import checked
+
+
+def _columns(name: str, tensor: Any, width: int) -> torch.Tensor:
+    """Refuses what is no tensor of shape (..., width) on the CPU."""
+    tensor = checked(name, tensor, "meshes")
+    if tensor.dim() == 0 or tensor.shape[-1] != width:
+        raise ValueError(f"{name}: a tensor of shape (..., {width}) is needed, not {tuple(tensor.shape)}")
+    return tensor
 
 
 def _array(name: str, tensor: Any) -> Any:
     """The array of a tensor of shape (..., 3), as rows of float64."""
-    if not isinstance(tensor, torch.Tensor) or tensor.dtype not in (torch.float32, torch.float64):
-        raise TypeError(f"{name}: a tensor of float32 or float64 is needed")
-    if tensor.device.type != "cpu":
-        raise TypeError(f"{name}: meshes are on the CPU, and a tensor is on {tensor.device}: move it with .cpu()")
-    if tensor.dim() == 0 or tensor.shape[-1] != 3:
-        raise ValueError(f"{name}: a tensor of shape (..., 3) is needed, not {tuple(tensor.shape)}")
-    return np.ascontiguousarray(tensor.detach().numpy().reshape(-1, 3), np.float64)
-
-
-def _columns(name: str, tensor: Any, width: int) -> None:
-    """Refuses what is no tensor of shape (..., width) on the CPU."""
-    if not isinstance(tensor, torch.Tensor) or tensor.dtype not in (torch.float32, torch.float64):
-        raise TypeError(f"{name}: a tensor of float32 or float64 is needed")
-    if tensor.device.type != "cpu":
-        raise TypeError(f"{name}: meshes are on the CPU, and a tensor is on {tensor.device}: move it with .cpu()")
-    if tensor.dim() == 0 or tensor.shape[-1] != width:
-        raise ValueError(f"{name}: a tensor of shape (..., {width}) is needed, not {tuple(tensor.shape)}")
+    return np.ascontiguousarray(_columns(name, tensor, 3).detach().numpy().reshape(-1, 3), np.float64)
 
 
 def _like(array: Any, tensor: torch.Tensor) -> torch.Tensor:

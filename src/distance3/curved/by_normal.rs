@@ -4,7 +4,7 @@ use super::piece::{Piece, PieceKind};
 use super::smooth_solid::Solid;
 use crate::{Scalar, Vec3};
 
-/// What is added to the number of a piece for the same one by the normal.
+/// The difference of the numbers of a piece that moves with the normal and of the same one by coordinates.
 pub const TURNED: usize = 32;
 
 /// The support of a round surface about the origin along a normal, and its derivatives by the normal's coordinates.

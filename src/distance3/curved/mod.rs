@@ -227,36 +227,22 @@ where
     search(a, b, false)
 }
 
-/// Returns the relation of two shapes from the decisions and hints of [`curved_search`].
+/// Returns the relation of two shapes from the decisions and hints of [`curved_search`]. Normal and points are zero unless
+/// they are asked for.
 #[must_use]
 pub(crate) fn curved_replay<S, A, B>(
     a: &A,
     b: &B,
     record: CurvedRecord,
     hints: &[S; HINTS],
+    has_points: bool,
 ) -> Relation<S>
 where
     S: Scalar,
     A: Curved<Scalar = S>,
     B: Curved<Scalar = S>,
 {
-    inflated(a, b, related(a, b, (record, hints), 1.0, true))
-}
-
-/// Returns the relation that [`curved_replay`] returns, without normal and points.
-#[must_use]
-pub(crate) fn curved_distance<S, A, B>(
-    a: &A,
-    b: &B,
-    record: CurvedRecord,
-    hints: &[S; HINTS],
-) -> Relation<S>
-where
-    S: Scalar,
-    A: Curved<Scalar = S>,
-    B: Curved<Scalar = S>,
-{
-    inflated(a, b, related(a, b, (record, hints), 1.0, false))
+    inflated(a, b, related(a, b, (record, hints), 1.0, has_points))
 }
 
 /// Returns the relation of two shapes from that of the solids which they inflate.

@@ -300,7 +300,7 @@ impl<S: Scalar> Frame<S> {
         for (&tangent, &change) in self.tangents.iter().zip(changes) {
             next.normal -= tangent * change;
         }
-        // Of about length one, so that its square is in the format.
+        // The length is about one, so that its square is in the format.
         next.normal = next.normal * S::one().over(next.normal.length_squared().root());
         let mut at = 2;
         for (kind, place) in kinds.into_iter().zip([&mut next.a, &mut next.b]) {

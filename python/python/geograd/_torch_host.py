@@ -1,0 +1,22 @@
+"""Tensors that the library reads on the host."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import torch
+
+
+def checked(name: str, tensor: Any, what: str) -> torch.Tensor:
+    """Refuses what is no tensor of floats on the CPU, where ``what`` are, such as meshes."""
+    if not isinstance(tensor, torch.Tensor) or tensor.dtype not in (torch.float32, torch.float64):
+        raise TypeError(f"{name}: a tensor of float32 or float64 is needed")
+    if tensor.device.type != "cpu":
+        raise TypeError(f"{name}: {what} are on the CPU, and a tensor is on {tensor.device}: move it with .cpu()")
+    return tensor
+
+
+def array(name: str, tensor: Any, what: str) -> Any:
+    """The numbers of a tensor in float64."""
+    return np.ascontiguousarray(checked(name, tensor, what).detach().numpy(), np.float64)
