@@ -192,6 +192,7 @@ folds! {
     DepthPointRing = Depth Ring;
     WindingOfRing = Winding Ring;
     LengthOfPolyline = Length Polyline;
+    LengthInsideRing = LengthInside Ring;
     SecondMomentsOfRing = SecondMoments Ring;
     SignedAreaOfRing = SignedArea Ring;
     AreaOfRing = Area Ring;
@@ -226,8 +227,8 @@ pub mod distance {
 pub mod fold {
     pub use super::{
         CentroidOfCloud3, CovarianceOfCloud3, DepthPointRing, DistancePointPolyline,
-        DistancePointPolyline3, DistancePointRing, LengthOfPolyline, LengthOfPolyline3,
-        SecondMomentsOfRing, SignedDistancePointRing, WindingOfRing,
+        DistancePointPolyline3, DistancePointRing, LengthInsideRing, LengthOfPolyline,
+        LengthOfPolyline3, SecondMomentsOfRing, SignedDistancePointRing, WindingOfRing,
     };
 }
 pub mod iou {

@@ -1,16 +1,17 @@
 //! Folds over paths as operations.
 use crate::distance::ring::{EdgeFold, Fill};
 use crate::kernels::row::fold::Fold;
-use crate::kernels::row::op::{Declared, Declares, Jumps};
+use crate::intersection::edge_inside;
+use crate::kernels::row::op::{Declared, Declares, Jumps, Range};
 use crate::kernels::ops::class::invariances;
 use crate::kernels::ops::walk::Written;
 use crate::kernels::ops::tables::listed;
 use crate::kernels::verbs::{
-    self, Depth, Distance, Length, SignedDistance, Winding,
+    self, Depth, Distance, Length, LengthInside, SignedDistance, Winding,
 };
 use crate::measure::moments::{AreaMoments, Sums, finish, of_edge};
 use crate::reference::{Reference, bounds_of};
-use crate::{Aabb2, Scalar, Vec2};
+use crate::{Aabb2, Scalar, Segment2, Vec2};
 
 /// The [second moments](crate::measure::moments::second_moments) of a ring's area about its centroid.
 /// They jump where the area is zero.
@@ -165,6 +166,43 @@ of_point_and_path! {
         |state| state.winding.canonical();
 }
 
+/// The [length](crate::intersection::length_inside_ring) of the part of a segment that lies in a ring of either
+/// orientation; parts around which the ring winds twice count twice. It jumps where the segment is along an edge.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct LengthInsideRing;
+
+impl Declares for LengthInsideRing {
+    const DECLARED: Declared = Declared::new("length_inside_ring", invariances!([rigid(1)] Segment2<f64>, Vec2<f64>), Jumps::Anywhere)
+        .arguments(&["segment"])
+        .range(Range::NOT_NEGATIVE)
+        .doc("The [length](crate::intersection::length_inside_ring) of the part of a segment that lies in a ring of \
+              either orientation; parts around which the ring winds twice count twice. It jumps where the segment is along an edge.");
+}
+
+impl Fold for LengthInsideRing {
+    const CLOSED: bool = true;
+    type Element<S: Scalar> = Vec2<S>;
+    type Context<S: Scalar> = Segment2<S>;
+    type Reference<S: Scalar> = [S; 0];
+    type State<S: Scalar> = S;
+    type Out<S: Scalar> = S;
+    fn reference<S: Scalar>(_: Segment2<S>, _ring: &[Vec2<S>]) -> [S; 0] {
+        []
+    }
+    fn empty<S: Scalar>() -> S {
+        S::zero()
+    }
+    fn edge<S: Scalar>(segment: Segment2<S>, _: [S; 0], from: Vec2<S>, to: Vec2<S>) -> S {
+        edge_inside(segment, from, to)
+    }
+    fn join<S: Scalar>(one: S, other: S) -> S {
+        one + other
+    }
+    fn finish<S: Scalar>(segment: Segment2<S>, _: [S; 0], share: S) -> S {
+        (share.unsigned() * segment.length()).saturated().canonical()
+    }
+}
+
 /// Joins verbs to the folds over their paths.
 macro_rules! folds {
     ($($Verb:ty, $Path:ident $method:ident by $By:ident;)*) => { $(
@@ -202,5 +240,6 @@ folds! {
     Depth, Ring over_ring by DepthPointRing;
     Winding, Ring over_ring by WindingOfRing;
     Length, Polyline over_polyline by LengthOfPolyline;
+    LengthInside, Ring over_ring by LengthInsideRing;
     verbs::SecondMoments, Ring over_ring by SecondMomentsOfRing;
 }

@@ -5,11 +5,13 @@ use geograd::kernels::check::WithAdjoint;
 use geograd::kernels::cpu::simd::Simd;
 use geograd::kernels::fold::fold;
 use geograd::kernels::{Cpu, One};
-use geograd::kernels::{Diameter, Iou};
+use geograd::kernels::{Diameter, Iou, LengthInside};
 use geograd::measure::moments::{AreaMoments, second_moments};
-use geograd::{ConvexPolygon, Error, Vec2};
+use geograd::{ConvexPolygon, Error, Pack, Segment2, Triangle2, Vec2};
 use geograd_tests::Dice;
-use geograd_tests::rows::{SecondMomentsOfRing, SignedDistancePointRing, WindingOfRing};
+use geograd_tests::rows::{
+    LengthInsideRing, SecondMomentsOfRing, SignedDistancePointRing, WindingOfRing,
+};
 
 fn point(dice: &mut Dice) -> Vec2<f64> {
     Vec2::new(dice.within(-2.0, 2.0), dice.within(-2.0, 2.0))
@@ -372,5 +374,45 @@ fn searches_of_two_shapes() {
         let sum = by_a[i].vertices.iter().chain(&by_b[i].vertices);
         let sum = sum.fold(Vec2::zero(), |sum, &bar| sum + bar);
         assert!(sum.length() < 1e-12, "{i}: {sum:?}");
+    }
+}
+
+#[test]
+fn rings_of_three_have_as_much_of_a_segment_as_triangles() {
+    let mut dice = Dice(29);
+    let mut spot = || point(&mut dice);
+    let ways: Vec<Segment2<f64>> = (0..400).map(|_| Segment2::new(spot(), spot())).collect();
+    let triangles: Vec<Triangle2<f64>> = (0..400)
+        .map(|_| Triangle2::new(spot(), spot(), spot()))
+        .collect();
+    let vertices: Vec<Vec2<f64>> = triangles.iter().flat_map(|t| t.corners()).collect();
+    let offsets: Vec<usize> = (0..=400).map(|k| 3 * k).collect();
+    let cpu = Cpu::new();
+    let by_rings = cpu
+        .fold(LengthInsideRing, &ways, &vertices, &offsets)
+        .unwrap();
+    let by_triangles = cpu.aligned(LengthInside, (&ways, &triangles)).unwrap();
+    let within = by_triangles.iter().filter(|&&length| length > 0.1).count();
+    assert!((100..300).contains(&within), "{within} segments meet");
+    let up = vec![1.0; 400];
+    let (by_way, by_vertex) = cpu
+        .fold_vjp(LengthInsideRing, &ways, &vertices, &offsets, &up)
+        .unwrap();
+    let (way_bars, triangle_bars) = cpu
+        .aligned(LengthInside.vjp(), ((&ways, &triangles), &up))
+        .unwrap();
+    for i in 0..400 {
+        let (found, known) = (by_rings[i], by_triangles[i]);
+        assert!((found - known).abs() <= 1e-13, "item {i}: {found} {known}");
+        let by_corners = by_vertex[3 * i..3 * i + 3].iter().flat_map(Pack::scalars);
+        let found: Vec<f64> = by_way[i].scalars().into_iter().chain(by_corners).collect();
+        let known = [way_bars[i].scalars(), triangle_bars[i].scalars()].concat();
+        let size = known.iter().fold(1.0, |most: f64, by| most.max(by.abs()));
+        for (found, known) in found.iter().zip(&known) {
+            assert!(
+                (found - known).abs() <= 1e-11 * size,
+                "item {i}: {found} {known}"
+            );
+        }
     }
 }

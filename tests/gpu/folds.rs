@@ -3,7 +3,7 @@ use crate::{gpu, small};
 use geograd::ad::check::sample::Draw;
 use geograd::kernels::gpu::Gpu;
 use geograd::kernels::{Cpu, Fold, Item, One};
-use geograd::{Error, Fixed, GpuFault, Pack, Vec2, Vec3};
+use geograd::{Error, Fixed, GpuFault, Pack, Segment2, Vec2, Vec3};
 use geograd_tests::rows::fold;
 
 /// Numbers that may differ by so much of their size, and of one.
@@ -107,6 +107,16 @@ fn folds() {
     folds_agree(gpu, fold::DistancePointRing, context, &vertices, &offsets);
     folds_agree(gpu, fold::DepthPointRing, context, &vertices, &offsets);
     folds_agree(gpu, fold::WindingOfRing, context, &vertices, &offsets);
+    // Off the vertices, whose crossings would be decided by roundings.
+    let ways: Vec<Segment2<f32>> = (0..paths)
+        .map(|k| {
+            Segment2::new(
+                Vec2::new(-9.1, 0.1 * k as f32 - 0.33),
+                Vec2::new(8.7, 0.217),
+            )
+        })
+        .collect();
+    folds_agree(gpu, fold::LengthInsideRing, &ways[..], &vertices, &offsets);
     // Polylines and clouds of space.
     let in_space: Vec<Vec3<f32>> = vertices
         .iter()
