@@ -1,6 +1,6 @@
 //! Arrays as rows of numbers, and arrays for results.
 use crate::column::{Column, NUMBERS};
-use crate::lent::in_use;
+use crate::lent::{LentNumbers, in_use};
 use crate::number::Number;
 use crate::shapes::{Content, Shape, array, stacked};
 use crate::table::table;
@@ -429,10 +429,8 @@ pub fn offsets(py: Python<'_>, x: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec
         Ok(whole) if whole.is_c_contiguous() => whole.clone(),
         _ => whole_numbers(py, x, name)?,
     };
-    let whole = whole.readonly();
-    let whole = whole
-        .as_slice()
-        .map_err(|error| PyValueError::new_err(error.to_string()))?;
+    let lent = LentNumbers::of(&whole, name)?;
+    let whole = lent.numbers()?;
     if let Some(item) = whole.iter().position(|&x| x < 0) {
         return Err(PyValueError::new_err(format!(
             "{name}: offset {item} is negative"

@@ -1,5 +1,4 @@
 //! Numbers of arrays of a call, and new arrays.
-use crate::number::Number;
 use numpy::ndarray::Dimension;
 use numpy::{Element, PyArray, PyArray1, PyArrayMethods, PyReadonlyArray, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
@@ -14,7 +13,7 @@ pub enum LentNumbers<'py, T: Element, D: Dimension> {
     Borrowed(PyReadonlyArray<'py, T, D>),
 }
 
-impl<'py, T: Number, D: Dimension> LentNumbers<'py, T, D> {
+impl<'py, T: Element, D: Dimension> LentNumbers<'py, T, D> {
     /// Copies few numbers, borrows others. `name` is the argument in errors.
     pub fn of(array: &Bound<'py, PyArray<T, D>>, name: &str) -> PyResult<Self> {
         if array.len() <= COPIED {
