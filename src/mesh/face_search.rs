@@ -49,6 +49,20 @@ impl SearchStack {
         let item = self.items[self.top];
         Some((f32::from_bits((item >> 32) as u32), item as u32))
     }
+    /// Takes the item whose child has the lowest number by some order: a key and the child.
+    #[inline(always)]
+    pub(crate) fn pop_lowest(&mut self, order: impl Fn(u32) -> u32) -> Option<(f32, u32)> {
+        let last = self.top.checked_sub(1)?;
+        let (mut best, mut least) = (last, u32::MAX);
+        for (at, &item) in self.items[..=last].iter().enumerate() {
+            let own = order(item as u32);
+            if own < least {
+                (best, least) = (at, own);
+            }
+        }
+        self.items.swap(best, last);
+        self.pop()
+    }
     /// Returns room for eight items.
     #[inline(always)]
     fn room(&mut self) -> &mut [u64; 8] {

@@ -26,6 +26,11 @@ const UPRIGHT: [Vec3<f64>; 3] = [
     Vec3::new(0.0, 0.0, 1.0),
 ];
 
+/// The depth by which bodies clearly meet, and the length of axes with digits enough, relative to their size. An edge has
+/// an error of 2⁻⁵² of the size, an axis of this length one of some 10⁻¹¹.
+const CLEAR: f64 = 1e-10;
+const SHORT: f64 = 1e-5;
+
 impl SolidBounds {
     /// Returns the bounds of an axis-aligned box.
     #[must_use]
@@ -74,6 +79,48 @@ impl SolidBounds {
             radius: radius.widened().unwrap_or(f64::NAN),
         }
     }
+    /// Returns `true` for a triangle that has points in common with the box, clearly: no plane across a face of either, or
+    /// along an edge of both, comes near to parting them. `false` says nothing.
+    #[must_use]
+    fn clearly_meet(&self, face: Triangle3<f64>) -> bool {
+        let half = self.half;
+        let [a, b, c] = face.corners().map(|corner| {
+            let arm = corner - self.center;
+            self.axes.map(|axis| axis.dot(arm))
+        });
+        let reach = |v: [f64; 3]| v[0].abs().max(v[1].abs()).max(v[2].abs());
+        let size = reach(a).max(reach(b)).max(reach(c)) + half[0] + half[1] + half[2];
+        let margin = CLEAR * size;
+        // The gap along an axis across both bodies, less the margin.
+        let parts = |axis: Vec3<f64>, length: f64| {
+            let heights = [a, b, c].map(|v| axis.dot(Vec3::new(v[0], v[1], v[2])));
+            let low = heights[0].min(heights[1]).min(heights[2]);
+            let high = heights[0].max(heights[1]).max(heights[2]);
+            let [x, y, z] = [axis.x, axis.y, axis.z].map(f64::abs);
+            let reach = x * half[0] + y * half[1] + z * half[2] - margin * length;
+            low.max(-high) >= reach
+        };
+        if UPRIGHT.iter().any(|&axis| parts(axis, 1.0)) {
+            return false;
+        }
+        let [a, b, c] = [a, b, c].map(|v| Vec3::new(v[0], v[1], v[2]));
+        let edges = [b - a, c - b, a - c];
+        let normal = edges[0].cross(edges[1]);
+        let across = edges
+            .iter()
+            .flat_map(|edge| UPRIGHT.map(|axis| axis.cross(*edge)));
+        let least = SHORT * size;
+        let long = edges
+            .iter()
+            .fold(0.0, |most: f64, edge| most.max(edge.length()));
+        let mut axes =
+            std::iter::once((normal, least * long)).chain(across.map(|axis| (axis, least)));
+        // An axis with few digits may part them.
+        axes.all(|(axis, least)| {
+            let length = axis.length();
+            length > least && !parts(axis, length)
+        })
+    }
     /// Returns `true` if all numbers are finite.
     #[must_use]
     pub fn is_finite(&self) -> bool {
@@ -113,7 +160,7 @@ fn plainly<S: Scalar<Mask = bool>, B: Pack<Scalar = S>>(shape: &B) -> B::With<f6
 }
 
 macro_rules! solids {
-    ($($Shape:ident [$($generic:tt)*] [$($own:tt)*] |$own_name:ident| $bounds:expr;)*) => { $(
+    ($($Shape:ident [$($generic:tt)*] [$($own:tt)*] $(box $is_box:ident)? |$own_name:ident| $bounds:expr;)*) => { $(
         impl<S: Scalar<Mask = bool>, $($generic)*> MeshSolid<S> for $Shape<S, $($own)*> {
             fn bounds(&self) -> SolidBounds {
                 let $own_name = *self;
@@ -121,7 +168,13 @@ macro_rules! solids {
             }
             fn measure(&self) -> impl Fn(Triangle3<f64>) -> f64 + '_ {
                 let own: $Shape<f64, $($own)*> = plainly(self);
-                move |face| distance(face, own)
+                $(let $is_box = MeshSolid::<f64>::bounds(&own);)?
+                move |face| {
+                    $(if $is_box.clearly_meet(face) {
+                        return 0.0;
+                    })?
+                    distance(face, own)
+                }
             }
             fn distance_from(&self, face: Triangle3<S>) -> S {
                 distance(face, *self)
@@ -139,8 +192,8 @@ solids! {
     Capsule3 [] [] |own| SolidBounds::around_segment(own.segment(), own.radius);
     Triangle3 [] [] |own| SolidBounds::upright(own.bounding());
     Tetrahedron [] [] |own| SolidBounds::upright(own.bounding());
-    Aabb3 [] [] |own| SolidBounds::upright(own);
-    Obb3 [] [] |own| SolidBounds::around_box(own, S::zero());
-    RoundBox3 [] [] |own| SolidBounds::around_box(own.inner, own.radius);
+    Aabb3 [] [] box bounds |own| SolidBounds::upright(own);
+    Obb3 [] [] box bounds |own| SolidBounds::around_box(own, S::zero());
+    RoundBox3 [] [] box bounds |own| SolidBounds::around_box(own.inner, own.radius);
     Hull3 [const N: usize] [N] |own| SolidBounds::upright(own.bounding());
 }

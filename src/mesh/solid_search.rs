@@ -270,6 +270,11 @@ impl Wanted {
             most: u32::MAX,
         }
     }
+    /// Returns `true` if a face at distance zero is known, so that lower ones are looked for in their order.
+    #[inline(always)]
+    fn is_of_lowest(&self) -> bool {
+        self.most != u32::MAX
+    }
     /// Returns `true` if a face, the lowest of some, is too high.
     #[inline(always)]
     pub(super) fn is_below(&self, lowest: u32) -> bool {
@@ -306,7 +311,10 @@ pub(crate) fn visit_faces<L: EightLanes>(
     let mut most = own.gap_limit((start * scale) as f32);
     room.stack.start();
     let (mut squares, mut gaps) = ([0.0; 8], [0.0; 8]);
-    while let Some((square, child)) = room.stack.pop() {
+    while let Some((square, child)) = match wanted.is_of_lowest() {
+        true => room.stack.pop_lowest(|child| tree.lowest(child)),
+        false => room.stack.pop(),
+    } {
         if square > limit || wanted.is_below(tree.lowest(child)) {
             continue;
         }
@@ -323,10 +331,16 @@ pub(crate) fn visit_faces<L: EightLanes>(
         }
         near = gaps_from_box::<L>(&own, (packet, near), most, &mut gaps);
         while near != 0 {
-            let lane = nearest_lane(near, &gaps);
+            let lane = match wanted.is_of_lowest() {
+                true => near.trailing_zeros() as usize & 7,
+                false => nearest_lane(near, &gaps),
+            };
             near &= !(1 << lane);
-            if gaps[lane] > most {
+            if wanted.is_below(faces[lane]) {
                 break;
+            }
+            if gaps[lane] > most {
+                continue;
             }
             wanted = visit(faces[lane]);
             if wanted.distance < 0.0 {
