@@ -68,15 +68,27 @@ fn related<S: Scalar, A: Core3<S>, B: Core3<S>>(a: A, b: B) -> Relation<S> {
     }
 }
 
+/// Returns `true` for cores that a slab across the nearest points parts by more than roundings could feign: then no
+/// plane overrules these points.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn are_clear<P: Scalar, A: Core3<P>, B: Core3<P>>(a: &A, b: &B, near: &Nearest<P>) -> P::Mask {
+    let way = near.apart;
+    let width = parted((a, near.on_a), (b, near.on_b), (way, direction(way)));
+    // The best plane is known within a quarter of it, so that none has cores overlap.
+    width.above(P::rounding(4.0 * SLACK, 1))
+}
+
 /// Returns the features that are nearest, or the planes that separate two cores of plain numbers best.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn choose<P: Scalar, A: Core3<P>, B: Core3<P>>(a: &A, b: &B) -> CoreFeatures<P> {
-    let (
-        Candidate {
-            near, at_a, at_b, ..
-        },
-        deep,
-    ) = (nearest(a, b), deepest(a, b));
+    let Candidate {
+        near, at_a, at_b, ..
+    } = nearest(a, b);
+    let is_clear = A::DIMENSION + B::DIMENSION < 3 || are_clear(a, b, &near).all();
+    let deep = match is_clear {
+        true => None,
+        false => deepest(a, b),
+    };
     let found = joined(near, deep.as_ref());
     let (relation, inside) = (found.relation, found.inside);
     let none = inside & !inside;
