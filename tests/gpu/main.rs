@@ -11,6 +11,7 @@ mod folds;
 mod generated;
 mod groups;
 mod held;
+mod indexed;
 mod parity;
 mod program;
 mod replays;
