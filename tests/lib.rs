@@ -62,6 +62,12 @@ fn hash(share: &str, name: &str) -> u64 {
     Dice(mixed).bits()
 }
 
+/// Returns a number that the variable `GEOGRAD_SHARE` gives, for tests that take some of many cases.
+#[must_use]
+pub fn turn() -> u64 {
+    hash(&std::env::var("GEOGRAD_SHARE").unwrap_or_default(), "")
+}
+
 /// Returns `true` if slow tests take everything: with `GEOGRAD_ALL_ROWS=1`.
 fn takes_all() -> bool {
     std::env::var("GEOGRAD_ALL_ROWS").is_ok_and(|x| x == "1")
