@@ -15,6 +15,7 @@
 mod boolean;
 mod levels;
 mod meshes;
+mod offsets;
 mod paper;
 mod planner;
 mod polygons;
@@ -155,7 +156,7 @@ fn on_threads(threads: usize, run: impl FnOnce() + Send) {
 const HELP: &str = "\
 Usage: peers [--levels | --shapes | --suppress] [--csv FILE]
        peers --paper SVG [--csv FILE] [--backend cpu|gpu|auto]
-       peers --polygons | --boolean | --meshes
+       peers --polygons | --boolean | --meshes | --offsets
        peers --space [--pairs FILE]
        peers --planner
 
@@ -209,7 +210,8 @@ fn run(arguments: &[String], machine: &Machine) -> Result<(), Failure> {
             | "--boolean"
             | "--space"
             | "--planner"
-            | "--meshes"]
+            | "--meshes"
+            | "--offsets"]
             | ["--levels" | "--shapes" | "--suppress", "--csv", _]
             | ["--space", "--pairs", _]
             | ["--paper", _]
@@ -242,6 +244,7 @@ fn run(arguments: &[String], machine: &Machine) -> Result<(), Failure> {
         ["--paper", picture] => write(picture, &paper::paper(machine).0)?,
         ["--polygons"] => polygons::polygons(),
         ["--meshes"] => meshes::run(),
+        ["--offsets"] => on_threads(1, offsets::offsets),
         ["--space"] => space::space(1_000_000),
         ["--space", "--pairs", file] => write(file, &space::pairs(10_000))?,
         ["--planner"] => planner::planner(),
