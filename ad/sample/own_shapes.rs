@@ -2,6 +2,7 @@
 use crate::ad::declared::Kind;
 use crate::ad::sample::several::{together, units};
 use crate::ad::sample::{Draw, Sample, Sampler};
+use crate::arrays::sort_few;
 use crate::error::Validate;
 use crate::{Aabb2, ConvexPolygon, Obb2, Rotation2, Vec2};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
@@ -292,7 +293,7 @@ fn on_ellipse<const N: usize>(draw: &mut Draw, wide: f64, high: f64) -> ConvexPo
     let mut angles: Vec<f64> = (0..count.min(N))
         .map(|k| (k as f64 + draw.within(0.1, 0.9)) * 2.0 * PI / count as f64)
         .collect();
-    angles.sort_by(f64::total_cmp);
+    sort_few(&mut angles, |a, b| a.total_cmp(b).is_lt());
     let turn = Rotation2::from_angle(draw.within(-PI, PI));
     let center = Vec2::new(draw.within(-1.0, 1.0), draw.within(-1.0, 1.0));
     let corners = angles.iter().map(|angle| {

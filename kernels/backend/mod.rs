@@ -59,6 +59,8 @@ static CPU: Cpu = Cpu::new();
 
 impl Deref for Backend<'_> {
     type Target = Machine<dyn Engine<f32>>;
+    // Inlined, the coercion would compile the engine in the calling crate.
+    #[inline(never)]
     fn deref(&self) -> &Self::Target {
         match *self {
             Backend::Cpu => &CPU,

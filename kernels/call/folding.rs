@@ -7,6 +7,7 @@ use crate::kernels::row::fold::Fold;
 use crate::kernels::row::item::{Item, Leaf, leaves_of};
 use crate::kernels::row::once::{RecordingCache, known};
 use crate::ring::Measure;
+use crate::scalar::Format;
 use crate::{Error, Fixed, Pack, Real, Scalar};
 use std::sync::Arc;
 
@@ -179,26 +180,29 @@ pub(crate) struct FoldPrograms {
 }
 
 pub(crate) fn programs<F: Fold, T: Real>() -> Result<Arc<FoldPrograms>, Error> {
+    known::<(F, T), _>(|| recorded::<F>(T::FORMAT))
+}
+
+/// Records the parts of a fold, for both formats.
+fn recorded<F: Fold>(format: Format) -> Result<FoldPrograms, Error> {
     type Context<F> = <F as Fold>::Context<Neutral>;
     type Reference<F> = <F as Fold>::Reference<Neutral>;
     type State<F> = <F as Fold>::State<Neutral>;
     type Element<F> = <F as Fold>::Element<Neutral>;
     type Edge<F> = (Context<F>, Reference<F>, Element<F>, Element<F>);
     type End<F> = (Context<F>, Reference<F>, State<F>);
-    known::<(F, T), _>(|| {
-        let edge = |(context, reference, from, to): Edge<F>| F::edge(context, reference, from, to);
-        let edge = record_in(T::FORMAT, edge)?;
-        let join = record_in(T::FORMAT, |(a, b): (State<F>, State<F>)| F::join(a, b))?;
-        let finish = |(context, reference, state): End<F>| F::finish(context, reference, state);
-        let finish = record_in(T::FORMAT, finish)?;
-        Ok(FoldPrograms {
-            edge_vjp: edge.value_vjp(),
-            join_vjp: join.vjp(),
-            finish_vjp: finish.vjp(),
-            edge,
-            join,
-            finish,
-            made: RecordingCache::default(),
-        })
+    let edge = |(context, reference, from, to): Edge<F>| F::edge(context, reference, from, to);
+    let edge = record_in(format, edge)?;
+    let join = record_in(format, |(a, b): (State<F>, State<F>)| F::join(a, b))?;
+    let finish = |(context, reference, state): End<F>| F::finish(context, reference, state);
+    let finish = record_in(format, finish)?;
+    Ok(FoldPrograms {
+        edge_vjp: edge.value_vjp(),
+        join_vjp: join.vjp(),
+        finish_vjp: finish.vjp(),
+        edge,
+        join,
+        finish,
+        made: RecordingCache::default(),
     })
 }

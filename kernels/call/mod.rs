@@ -6,3 +6,4 @@ mod program;
 pub mod recording;
 pub(crate) mod replayed;
 pub mod search;
+pub(crate) mod searched;

@@ -5,6 +5,8 @@
 //! search, a plain function, a program, a derivative of one) becomes a call.
 use crate::ad::program::recorded::Recorded;
 use crate::error::{Argument, Error};
+use crate::kernels::call::replayed::{self, SearchCode};
+use crate::kernels::call::searched::Decide;
 use crate::kernels::row::compiled::Compiled;
 use crate::kernels::row::derivation::DerivativeStep;
 pub use crate::kernels::row::derivation::Mode;
@@ -18,34 +20,30 @@ use std::any::TypeId;
 use std::fmt;
 use std::sync::Arc;
 
-/// A function of one item: its numbers, the cotangent of its result or none, and a buffer for the result, with
-/// derivatives if wanted.
-pub(crate) type Each<T> = fn(&[T], Option<&[T]>, &mut [T]);
-
 /// An untyped search, or a derivative of one.
-pub(crate) struct UntypedSearch<T> {
-    /// Returns the function that decides and computes one item in a mode.
-    pub(crate) item: fn(Mode) -> Each<T>,
-    /// Returns its replays, differentiated by some steps.
-    pub(crate) replays: fn(Vec<DerivativeStep>) -> Arc<dyn Replays<T>>,
+pub(crate) struct UntypedSearch<T: 'static> {
+    /// Decides one item.
+    pub(crate) decide: Decide<T>,
+    /// The code of its replays.
+    pub(crate) code: &'static SearchCode<T>,
     /// The steps from the search to the function.
     pub(crate) steps: Vec<DerivativeStep>,
 }
 
-impl<T> UntypedSearch<T> {
+impl<T: Real> UntypedSearch<T> {
     /// Returns this search differentiated once more.
     pub(crate) fn then(&self, step: DerivativeStep) -> Self {
         let steps = [&self.steps[..], &[step]].concat();
-        let (item, replays) = (self.item, self.replays);
+        let (decide, code) = (self.decide, self.code);
         UntypedSearch {
-            item,
-            replays,
+            decide,
+            code,
             steps,
         }
     }
     /// Returns the replays of a mode of the function.
     pub(crate) fn replays(&self, mode: Mode) -> Arc<dyn Replays<T>> {
-        (self.replays)(self.then(DerivativeStep::Mode(mode)).steps)
+        replayed::of(self.code, self.then(DerivativeStep::Mode(mode)).steps)
     }
     /// Returns the number of scalars of every shape in the result of a mode. A Jacobian has a gradient per scalar of
     /// the result; `outputs` counts codes, too.

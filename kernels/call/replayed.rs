@@ -89,11 +89,45 @@ impl NumberBlock {
     }
 }
 
-/// The replays of the search `D` in the format `T`, differentiated.
-struct DerivedReplays<D: HintedSearch, T> {
+/// What replays need of a search in a format, without the types of its shapes: all else is compiled once per format.
+pub(crate) struct SearchCode<T> {
+    /// Decides an item. Returns the key of its replay, and the hints.
+    decide: fn(&[T]) -> (ReplayKey, Vec<T>),
+    record: RecordReplay,
+    /// Returns the codes of an input from the numbers of its shapes.
+    codes: fn(&[T]) -> Vec<u32>,
+    by_kind: fn(&[T]) -> Vec<T>,
+    by_shape: fn(&[T], &[u32], &mut [T]),
+    /// The numbers of scalars of an input in a program and in a column.
+    input: [usize; 2],
+    hints: usize,
+    result: usize,
+}
+
+impl<T: Real> SearchCode<T> {
+    /// Returns that of a search.
+    pub(crate) const fn of<D, R: Item<Scalar = T>>() -> Self
+    where
+        D: HintedSearch<In<T> = R>,
+    {
+        SearchCode {
+            decide: decide::<D, R>,
+            record: recorded_any::<D>,
+            codes: codes::<R>,
+            by_kind: by_kind::<R>,
+            by_shape: by_shape::<R>,
+            input: input_sizes::<R>(),
+            hints: D::Hints::<T>::LEN,
+            result: D::Out::<T>::LEN,
+        }
+    }
+}
+
+/// The replays of a search, differentiated.
+struct DerivedReplays<T: 'static> {
+    code: &'static SearchCode<T>,
     blocks: DerivedBlocks,
     programs: Cache,
-    types: std::marker::PhantomData<fn(D) -> T>,
 }
 
 /// Returns the numbers of scalars of an input in a program and in a column.
@@ -164,20 +198,14 @@ impl DerivedBlocks {
 }
 
 /// Returns the replays of a search, differentiated by some steps.
-pub(crate) fn of<D, R: Item>(steps: Vec<DerivativeStep>) -> Arc<dyn Replays<R::Scalar>>
-where
-    D: HintedSearch<In<<R as Pack>::Scalar> = R>,
-{
-    let hints = D::Hints::<R::Scalar>::LEN;
-    Arc::new(DerivedReplays::<D, R::Scalar> {
-        blocks: DerivedBlocks::new(
-            steps,
-            const { input_sizes::<R>() },
-            hints,
-            D::Out::<R::Scalar>::LEN,
-        ),
+pub(crate) fn of<T: Real>(
+    code: &'static SearchCode<T>,
+    steps: Vec<DerivativeStep>,
+) -> Arc<dyn Replays<T>> {
+    Arc::new(DerivedReplays {
+        blocks: DerivedBlocks::new(steps, code.input, code.hints, code.result),
+        code,
         programs: RwLock::default(),
-        types: std::marker::PhantomData,
     })
 }
 
@@ -186,18 +214,21 @@ fn numbers_of(blocks: &[NumberBlock], input: [usize; 2]) -> usize {
     blocks.iter().map(|block| block.sizes(input)[0]).sum()
 }
 
+/// Records the replay of an input's codes and of a record, which must be one of the search.
+type RecordReplay = fn(Format, &[u32], &dyn Any) -> Result<Recorded, Error>;
+
 /// Returns the program of a key, made at first use. If two threads make it, the first is kept.
 fn made(
     all: &Cache,
     key: ReplayKey,
-    make: &dyn Fn(&[u32]) -> Result<Recorded, Error>,
+    make: &dyn Fn(&ReplayKey) -> Result<Recorded, Error>,
 ) -> Result<Arc<Recorded>, Error> {
     let kept = all.read().unwrap_or_else(PoisonError::into_inner);
     if let Some(found) = kept.get(&key) {
         return Ok(Arc::clone(found));
     }
     drop(kept);
-    let made = Arc::new(make(&key.0)?);
+    let made = Arc::new(make(&key)?);
     let mut kept = all.write().unwrap_or_else(PoisonError::into_inner);
     if kept.len() >= MOST_KEPT {
         kept.clear();
@@ -220,6 +251,18 @@ fn recorded<D: HintedSearch>(
         D::replay_with_hints::<Neutral>(input, record, constants)
     };
     record_with_codes::<(In<D>, Hints<D>), Out<D>>(format, codes, replay)
+}
+
+/// Returns the replay of a record as [`recorded`].
+fn recorded_any<D: HintedSearch>(
+    format: Format,
+    codes: &[u32],
+    record: &dyn Any,
+) -> Result<Recorded, Error> {
+    match record.downcast_ref::<D::Record>() {
+        Some(&record) => recorded::<D>(format, codes, record),
+        None => unreachable!("a key has a record of its search"),
+    }
 }
 
 /// The pull-backs that the harness keeps of a search, by format, codes and record. Neighbours of an input share most
@@ -323,40 +366,47 @@ impl DerivedBlocks {
 }
 
 /// Returns the input of a search, with which an item's numbers begin.
-fn input<D: HintedSearch, T: Real>(numbers: &[T]) -> D::In<T>
-where
-    D::In<T>: Item<Scalar = T>,
-{
-    get::<D::In<T>>(&by_kind::<D::In<T>>(&numbers[..width::<D::In<T>>()]))
+fn input<R: Item>(numbers: &[R::Scalar]) -> R {
+    get::<R>(&by_kind::<R>(&numbers[..width::<R>()]))
 }
 
-impl<D: HintedSearch, T: Real> Replays<T> for DerivedReplays<D, T>
+fn codes<R: Item>(numbers: &[R::Scalar]) -> Vec<u32> {
+    if const { R::CODES == 0 } {
+        return Vec::new();
+    }
+    input::<R>(numbers).codes()
+}
+
+fn decide<D, R: Item>(numbers: &[R::Scalar]) -> (ReplayKey, Vec<R::Scalar>)
 where
-    D::In<T>: Item<Scalar = T>,
+    D: HintedSearch<In<<R as Pack>::Scalar> = R>,
 {
+    let input = input::<R>(numbers);
+    let (record, hints) = D::decide_with_hints::<R::Scalar>(input);
+    (ReplayKey(input.codes(), Box::new(record)), hints.scalars())
+}
+
+impl<T: Real> Replays<T> for DerivedReplays<T> {
     fn decide(&self, numbers: &[T], taken: &mut Vec<T>) -> Result<Arc<Recorded>, Error> {
-        let input = input::<D, T>(numbers);
-        let (record, hints) = D::decide_with_hints::<T>(input);
-        let sizes = const { input_sizes::<D::In<T>>() };
-        let (hints, scalars) = (hints.scalars(), by_kind::<D::In<T>>);
-        self.blocks.take(numbers, &hints, sizes, scalars, taken);
-        let key = ReplayKey(input.codes(), Box::new(record));
-        made(&self.programs, key, &|codes| {
-            let recorded = recorded::<D>(T::FORMAT, codes, record)?;
-            Ok(self.blocks.derived(recorded, D::Hints::<T>::LEN > 0))
+        let code = self.code;
+        let (key, hints) = (code.decide)(numbers);
+        self.blocks
+            .take(numbers, &hints, code.input, code.by_kind, taken);
+        made(&self.programs, key, &|key| {
+            let recorded = (code.record)(T::FORMAT, &key.0, &*key.1)?;
+            Ok(self.blocks.derived(recorded, code.hints > 0))
         })
     }
     fn hints(&self) -> usize {
-        D::Hints::<T>::LEN
+        self.code.hints
     }
     fn sizes(&self) -> [usize; 2] {
-        [&self.blocks.takes, &self.blocks.gives]
-            .map(|blocks| numbers_of(blocks, input_sizes::<D::In<T>>()))
+        [&self.blocks.takes, &self.blocks.gives].map(|blocks| numbers_of(blocks, self.code.input))
     }
     fn put(&self, numbers: &[T], found: &[T], row: &mut [T]) {
-        let codes = input::<D, T>(numbers).codes();
-        let sizes = const { input_sizes::<D::In<T>>() };
+        let code = self.code;
+        let codes = (code.codes)(numbers);
         self.blocks
-            .put((found, row), &codes, sizes, by_shape::<D::In<T>>);
+            .put((found, row), &codes, code.input, code.by_shape);
     }
 }

@@ -7,46 +7,21 @@ use crate::ad::program::record::record_in;
 use crate::ad::program::{Neutral, Program};
 use crate::error::Error;
 use crate::kernels::call::modes::Function;
-use crate::kernels::call::recording::{self, Body, Call, Each, Recording};
+use crate::kernels::call::recording::{self, Body, Call, Recording};
+use crate::kernels::call::replayed::SearchCode;
+use crate::kernels::call::searched::{AT_A_TIME, SearchedItem, constant};
 pub use crate::kernels::row::decision::{HintedSearch, Search};
-use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::item::{Item, by_kind, by_shape, get, leaves_of, width, widths};
 use crate::kernels::row::once::known;
 use crate::kernels::row::op::{Hvp, Jacobian, Jvp, ValueGrad, Vjp};
 use crate::{Fixed, Jet, Pack, Real, Scalar};
 use std::sync::Arc;
 
-/// The number of inputs per replay on duals. A larger one needs fewer replays with larger duals.
-const AT_A_TIME: usize = 4;
-
-/// An item that a search has decided, without the types of its shapes: what every search does with it is compiled once
-/// per format.
-trait SearchedItem<T: Real> {
-    /// Writes the result.
-    fn value(&self, out: &mut [T]);
-    /// Returns the result, and the cotangents of the input's scalars by hand, if the search has them; without a cotangent
-    /// of the result it is all ones.
-    fn by_hand(&self, out_bar: Option<&[T]>) -> Option<[Vec<T>; 2]>;
-    /// Returns `false` for a number, by its place, that the replay does not read.
-    fn is_read(&self, place: usize) -> bool;
-    /// Returns the result on duals of the input's scalars.
-    fn on_duals(&self, scalars: &[Jet<T, AT_A_TIME>]) -> Vec<Jet<T, AT_A_TIME>>;
-    /// Writes derivatives by the input's scalars in the order of a column.
-    fn put(&self, scalars: &[T], to: &mut [T]);
-    /// Returns the number of scalars of the input, of the result, and of a row of the input's column.
-    fn sizes(&self) -> [usize; 3];
-}
-
 /// An item of a search: its input, the decisions and the hints.
 struct ItemOf<D: HintedSearch, R: Item> {
     input: R,
     record: D::Record,
     hints: D::Hints<R::Scalar>,
-}
-
-/// Returns a number as a dual without derivatives: no place is so large, so that none is a variable.
-fn constant<T: Real>(x: T) -> Jet<T, AT_A_TIME> {
-    Jet::variable(x, usize::MAX)
 }
 
 impl<D: HintedSearch<In<<R as Pack>::Scalar> = R>, R: Item> SearchedItem<R::Scalar>
@@ -66,9 +41,14 @@ impl<D: HintedSearch<In<<R as Pack>::Scalar> = R>, R: Item> SearchedItem<R::Scal
         D::is_read(&self.record, place)
     }
     fn on_duals(&self, scalars: &[Jet<R::Scalar, AT_A_TIME>]) -> Vec<Jet<R::Scalar, AT_A_TIME>> {
-        let codes = self.input.codes();
-        let moved = D::In::<Jet<R::Scalar, AT_A_TIME>>::load(scalars).load_codes(&codes);
-        let hints: Vec<_> = self.hints.scalars().into_iter().map(constant).collect();
+        let mut moved = D::In::<Jet<R::Scalar, AT_A_TIME>>::load(scalars);
+        if const { R::CODES > 0 } {
+            moved = moved.load_codes(&self.input.codes());
+        }
+        let mut hints = Vec::new();
+        if const { D::Hints::<R::Scalar>::LEN > 0 } {
+            hints.extend(self.hints.scalars().into_iter().map(constant));
+        }
         let hints = D::Hints::<Jet<R::Scalar, AT_A_TIME>>::load(&hints);
         D::replay_with_hints::<Jet<R::Scalar, AT_A_TIME>>(moved, self.record, hints).scalars()
     }
@@ -79,90 +59,6 @@ impl<D: HintedSearch<In<<R as Pack>::Scalar> = R>, R: Item> SearchedItem<R::Scal
     fn sizes(&self) -> [usize; 3] {
         [R::LEN, D::Out::<R::Scalar>::LEN, width::<R>()]
     }
-}
-
-/// Returns the duals of a result for the numbers at up to `AT_A_TIME` places.
-fn replayed<T: Real>(
-    item: &dyn SearchedItem<T>,
-    scalars: &[T],
-    places: &[usize],
-) -> Vec<Jet<T, AT_A_TIME>> {
-    let mut duals: Vec<_> = scalars.iter().copied().map(constant).collect();
-    for (k, &place) in places.iter().enumerate() {
-        duals[place] = Jet::variable(scalars[place], k);
-    }
-    item.on_duals(&duals)
-}
-
-/// Returns the places of the numbers that a replay reads.
-fn places<T: Real>(item: &dyn SearchedItem<T>, scalars: &[T]) -> Vec<usize> {
-    let all = 0..scalars.len();
-    all.filter(|&place| item.is_read(place)).collect()
-}
-
-/// Writes the result of an item, and the gradient of each of its numbers.
-fn with_jacobian<T: Real>(item: &dyn SearchedItem<T>, scalars: &[T], out: &mut [T]) {
-    let [inputs, result, width] = item.sizes();
-    if result == 1
-        && let Some([value, bars]) = item.by_hand(None)
-    {
-        out[..result].copy_from_slice(&value);
-        item.put(&bars, &mut out[result..]);
-        return;
-    }
-    let mut rows = vec![T::default(); result * inputs];
-    for places in places(item, scalars).chunks(AT_A_TIME) {
-        let replayed = replayed(item, scalars, places);
-        for (row, jet) in rows.chunks_exact_mut(inputs).zip(replayed) {
-            for (&place, derivative) in places.iter().zip(jet.derivative) {
-                row[place] = derivative;
-            }
-        }
-    }
-    item.value(out);
-    let gradients = out[result..].chunks_exact_mut(width);
-    for (row, gradient) in rows.chunks_exact(inputs).zip(gradients) {
-        item.put(row, gradient);
-    }
-}
-
-/// Writes the result of an item, and its derivatives times a cotangent; without one it is all ones.
-fn with_derivatives<T: Real>(
-    item: &dyn SearchedItem<T>,
-    scalars: &[T],
-    out_bar: Option<&[T]>,
-    out: &mut [T],
-) {
-    let [_, result, _] = item.sizes();
-    // The cotangent of one number scales its gradient: both have the same bits but for this product.
-    let (own, scale) = match out_bar {
-        Some([bar]) => (None, Some(*bar)),
-        _ => (out_bar, None),
-    };
-    if let Some([value, mut bars]) = item.by_hand(own) {
-        out[..result].copy_from_slice(&value);
-        if let Some(scale) = scale {
-            bars.iter_mut().for_each(|bar| *bar *= scale);
-        }
-        item.put(&bars, &mut out[result..]);
-        return;
-    }
-    item.value(out);
-    let mut bars = vec![T::default(); scalars.len()];
-    for places in places(item, scalars).chunks(AT_A_TIME) {
-        let replayed = replayed(item, scalars, places);
-        for (k, jet) in replayed.into_iter().enumerate() {
-            let by = out_bar.map_or(T::one(), |out_bar| out_bar[k]);
-            for (&place, derivative) in places.iter().zip(jet.derivative) {
-                bars[place] = if k == 0 {
-                    derivative * by
-                } else {
-                    bars[place] + derivative * by
-                };
-            }
-        }
-    }
-    item.put(&bars, &mut out[result..]);
 }
 
 /// Decides an item, and calls a function with it and the scalars of its input.
@@ -181,22 +77,22 @@ fn decided<D: HintedSearch<In<<R as Pack>::Scalar> = R>, R: Item>(
     run(&item, &numbers[..R::LEN]);
 }
 
-/// Returns the function of one item in a mode of a search.
-fn item_in<D, R: Item>(mode: Mode) -> Each<R::Scalar>
+/// Makes the recording of a search.
+// A function, since a closure would be compiled twice for every search.
+fn made<D, R: Item>() -> Result<Recording<R::Scalar>, Error>
 where
     D: HintedSearch<In<<R as Pack>::Scalar> = R>,
+    D::Out<R::Scalar>: Item,
 {
-    match mode {
-        Mode::Value => |x, _, out| decided::<D, R>(x, &mut |item, _| item.value(out)),
-        Mode::Jacobian => |x, _, out| {
-            decided::<D, R>(x, &mut |item, scalars| with_jacobian(item, scalars, out));
-        },
-        Mode::ValueGrad | Mode::Vjp => |x, bar, out| {
-            decided::<D, R>(x, &mut |item, scalars| {
-                with_derivatives(item, scalars, bar, out);
-            });
-        },
-    }
+    let body = Body::Search(recording::UntypedSearch {
+        decide: decided::<D, R>,
+        code: const { &SearchCode::of::<D, R>() },
+        steps: Vec::new(),
+    });
+    let (takes, outputs) = (leaves_of::<R>(), widths::<D::Out<R::Scalar>>());
+    let mut made = Recording::new(takes, outputs, D::DECLARED.arguments, body);
+    made.lower = D::DECLARED.lower;
+    Ok(made)
 }
 
 /// Returns the recording of a search, which is made once.
@@ -211,18 +107,8 @@ where
             "the result of a search has no codes: its derivatives are by scalars alone"
         );
     }
-    let made = known::<Searched<D>, _>(|| {
-        let body = Body::Search(recording::UntypedSearch {
-            item: item_in::<D, R>,
-            replays: crate::kernels::call::replayed::of::<D, R>,
-            steps: Vec::new(),
-        });
-        let (takes, outputs) = (leaves_of::<R>(), widths::<D::Out<R::Scalar>>());
-        let mut made = Recording::new(takes, outputs, D::DECLARED.arguments, body);
-        made.lower = D::DECLARED.lower;
-        Ok(made)
-    });
-    made.unwrap_or_else(|_: Error| unreachable!("a search is not recorded"))
+    let made = known::<Searched<D>, _>(made::<D, R>);
+    made.unwrap_or_else(|_| unreachable!("a search is not recorded"))
 }
 
 /// A search as a function of batches, made by [`search`].

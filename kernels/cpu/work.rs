@@ -116,7 +116,6 @@ pub(crate) fn is_parallel() -> bool {
 
 /// Runs every piece of work, in parallel if threads are allowed. Leaves out what follows an interruption.
 pub fn in_parallel<W: Send>(work: Vec<W>, run: impl Fn(W) + Send + Sync) {
-    let interruption = Interruption::current();
     #[cfg(feature = "parallel")]
     if work.len() > 1 && is_parallel() {
         let work: Vec<_> = work
@@ -127,11 +126,12 @@ pub fn in_parallel<W: Send>(work: Vec<W>, run: impl Fn(W) + Send + Sync) {
             let mut piece = work[place].lock().unwrap_or_else(PoisonError::into_inner);
             if let Some(work) = piece.take() {
                 drop(piece);
-                interruption.within(|| run(work));
+                run(work);
             }
         });
         return;
     }
+    let interruption = Interruption::current();
     for work in work {
         if interruption.is_due() {
             return;
@@ -151,7 +151,7 @@ fn on_all_threads(count: usize, run: &(dyn Fn(usize) + Send + Sync)) {
         .with_max_len(1)
         .for_each(|place| {
             if !interruption.is_due() {
-                run(place);
+                interruption.within(|| run(place));
             }
         });
 }

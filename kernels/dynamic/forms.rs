@@ -80,7 +80,11 @@ impl<T: Real> Function<T> {
     pub(super) fn engine(&self) -> &dyn Engine<T> {
         static CPU: Cpu = Cpu::new();
         let of_gpu = |gpu| engine_of::<T>(gpu);
-        self.gpu.as_ref().and_then(of_gpu).unwrap_or(&CPU.engine)
+        match self.gpu.as_ref().and_then(of_gpu) {
+            Some(engine) => engine,
+            // Not a coercion of the engine, which would compile it once more in the calling crate.
+            None => CPU.engine(),
+        }
     }
     /// Returns the call that machines run.
     pub(crate) fn call(&self) -> Result<Call<T>, Error> {

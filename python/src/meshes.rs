@@ -14,7 +14,7 @@ use geograd::mesh::{
 };
 use geograd::{Ray3, Vec3};
 use numpy::PyArray1;
-use pyo3::exceptions::{PyKeyError, PyValueError};
+use pyo3::exceptions::{PyKeyError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use std::sync::{Arc, OnceLock};
 
@@ -30,6 +30,11 @@ pub struct MeshCore {
     border: OnceLock<Arc<MeshBorder>>,
 }
 
+/// The error of a call that was not run.
+fn unused() -> PyErr {
+    PyRuntimeError::new_err("the call was not run")
+}
+
 pub(crate) fn refused(fault: MeshFault) -> PyErr {
     PyValueError::new_err(fault.to_string())
 }
@@ -41,18 +46,26 @@ impl MeshCore {
         count: usize,
         run: impl FnOnce(&MeshSurface<'_, f64>) -> Result<R, Error> + Send,
     ) -> PyResult<R> {
-        let found = on_threads(py, 64 * count, || -> Result<_, MeshFault> {
-            let mesh = Columns::new(&self.vertices, &self.faces)?;
-            let surface = self.tree.on(&mesh)?;
-            Ok(run(&surface))
-        })?;
-        found.map_err(refused)?.map_err(raised)
+        on_threads(py, 64 * count, || {
+            let (mut run, mut result) = (Some(run), None);
+            let done = self.with_surface(&mut |own| result = run.take().map(|run| run(own)));
+            done.map(|()| result)
+        })?
+        .map_err(refused)?
+        .ok_or_else(unused)?
+        .map_err(raised)
+    }
+    /// Calls a function with the mesh and its tree. Without a type of its own, so that the checks of a mesh are compiled
+    /// once.
+    fn with_surface(&self, run: &mut dyn FnMut(&MeshSurface<'_, f64>)) -> Result<(), MeshFault> {
+        run(&self.tree.on(&self.columns()?)?);
+        Ok(())
     }
     fn closed(&self) -> PyResult<Arc<ClosedMesh>> {
         if let Some(closed) = self.closed.get() {
             return Ok(closed.clone());
         }
-        let mesh = Columns::new(&self.vertices, &self.faces).map_err(refused)?;
+        let mesh = self.columns().map_err(refused)?;
         let closed = Arc::new(ClosedMesh::new(&mesh).map_err(refused)?);
         Ok(self.closed.get_or_init(|| closed).clone())
     }
@@ -60,7 +73,7 @@ impl MeshCore {
         if let Some(border) = self.border.get() {
             return Ok(border.clone());
         }
-        let mesh = Columns::new(&self.vertices, &self.faces).map_err(refused)?;
+        let mesh = self.columns().map_err(refused)?;
         let border = Arc::new(MeshBorder::new(&mesh));
         Ok(self.border.get_or_init(|| border).clone())
     }
@@ -72,11 +85,16 @@ impl MeshCore {
     ) -> PyResult<R> {
         let border = self.border()?;
         let work = count * (64 + border.edges().len());
-        let found = on_threads(py, work, || -> Result<_, MeshFault> {
-            let mesh = Columns::new(&self.vertices, &self.faces)?;
-            Ok(run(&border.of(&self.tree.on(&mesh)?)?))
-        })?;
-        found.map_err(refused)?.map_err(raised)
+        on_threads(py, work, || {
+            let (mut run, mut result) = (Some(run), Ok(None));
+            let done = self.with_surface(&mut |own| {
+                result = border.of(own).map(|own| run.take().map(|run| run(&own)));
+            });
+            done.and(result)
+        })?
+        .map_err(refused)?
+        .ok_or_else(unused)?
+        .map_err(raised)
     }
     /// Runs on the mesh alone, with an energy by its name.
     fn with_energy<R: Send>(
@@ -110,10 +128,15 @@ impl MeshCore {
         py: Python<'_>,
         run: impl FnOnce(&Columns<'_, f64>) -> R + Send,
     ) -> PyResult<R> {
-        let found = on_threads(py, 64 * self.faces.len(), || -> Result<_, MeshFault> {
-            Ok(run(&Columns::new(&self.vertices, &self.faces)?))
+        let found = on_threads(py, 64 * self.faces.len(), || {
+            self.columns().map(|columns| run(&columns))
         })?;
         found.map_err(refused)
+    }
+    /// The mesh, checked. Not inlined into every call.
+    #[inline(never)]
+    pub(crate) fn columns(&self) -> Result<Columns<'_, f64>, MeshFault> {
+        Columns::new(&self.vertices, &self.faces)
     }
     /// Runs with a distance by its name.
     fn with_kind<R>(

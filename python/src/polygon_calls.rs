@@ -12,6 +12,7 @@ use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use std::ops::Range;
+use std::sync::{Mutex, PoisonError};
 
 type Object<'py> = Bound<'py, PyAny>;
 
@@ -37,18 +38,38 @@ pub fn in_watched_runs<R: Send>(
     run: impl Fn(Range<usize>, &Interruption) -> R + Send + Sync,
 ) -> PyResult<Vec<R>> {
     let size = count.div_ceil(RUNS).max(16);
-    let runs = count.div_ceil(size);
-    let work = work.max(count);
+    // Every run has its place, so that threads are compiled once for all kinds of results.
+    let found: Vec<Mutex<Option<R>>> = (0..count.div_ceil(size))
+        .map(|_| Mutex::new(None))
+        .collect();
+    each_run(py, found.len(), work.max(count), &|k, interruption| {
+        let own = k * size..((k + 1) * size).min(count);
+        *found[k].lock().unwrap_or_else(PoisonError::into_inner) = Some(run(own, interruption));
+    })?;
+    let found = found.into_iter();
+    Ok(found
+        .filter_map(|own| own.into_inner().unwrap_or_else(PoisonError::into_inner))
+        .collect())
+}
+
+/// Calls a function with the place of every run on all threads, until an interruption.
+fn each_run(
+    py: Python<'_>,
+    runs: usize,
+    work: usize,
+    run: &(dyn Fn(usize, &Interruption) + Sync),
+) -> PyResult<()> {
     let alone = get_num_threads()? == 1 || work <= FEW;
     on_threads(py, work, || {
         let interruption = Interruption::current();
         let of = |k: usize| {
-            let own = k * size..((k + 1) * size).min(count);
-            (!interruption.is_due()).then(|| run(own, &interruption))
+            if !interruption.is_due() {
+                run(k, &interruption);
+            }
         };
         match alone {
-            true => (0..runs).filter_map(of).collect(),
-            false => (0..runs).into_par_iter().filter_map(of).collect(),
+            true => (0..runs).for_each(of),
+            false => (0..runs).into_par_iter().for_each(of),
         }
     })
 }

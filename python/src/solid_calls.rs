@@ -7,7 +7,7 @@ use crate::threads::on_threads;
 use geograd::distance3::PointPair3;
 use geograd::kernels::mesh_solids::SolidItem;
 use geograd::kernels::{Cpu, Single};
-use geograd::mesh::{FacePair, Mesh, MeshFault, MeshSurface};
+use geograd::mesh::{FacePair, MeshFault, MeshSurface};
 use geograd::{
     Aabb3, Capsule3, Error, Hull3, Obb3, Pose3, RoundBox3, Segment3, Sphere, Tetrahedron, Triangle3,
 };
@@ -105,8 +105,7 @@ fn on_both<R: Send>(
     run: impl FnOnce([&MeshSurface<'_, f64>; 2]) -> Result<R, Error> + Send,
 ) -> PyResult<R> {
     let found = on_threads(py, 4096 * count, || -> Result<_, MeshFault> {
-        let own = Mesh::new(&first.vertices, &first.faces)?;
-        let other = Mesh::new(&second.vertices, &second.faces)?;
+        let (own, other) = (first.columns()?, second.columns()?);
         let (own, other) = (first.tree.on(&own)?, second.tree.on(&other)?);
         Ok(run([&own, &other]))
     })?;

@@ -177,12 +177,23 @@ pub fn on_threads<R: Send>(
     items: usize,
     run: impl FnOnce() -> R + Send,
 ) -> PyResult<R> {
+    let (mut run, mut result) = (Some(run), None);
+    let is_complete = carried_out(py, items, &mut || result = run.take().map(|run| run()))?;
+    let result = result.filter(|_| is_complete);
+    result.ok_or_else(|| PyRuntimeError::new_err("the call was interrupted"))
+}
+
+/// As [`on_threads`], for a function without a type of its own, so that pools and watches are compiled once. Returns
+/// `false` if the call was interrupted.
+fn carried_out(py: Python<'_>, items: usize, run: &mut (dyn FnMut() + Send)) -> PyResult<bool> {
     let threads = get_num_threads()?;
     if items <= BRIEF {
-        return Ok(on_this_thread(run));
+        on_this_thread(run);
+        return Ok(true);
     }
     if items <= FEW {
-        return Ok(py.detach(|| on_this_thread(run)));
+        py.detach(|| on_this_thread(run));
+        return Ok(true);
     }
     let watch = Arc::new(Watch::new());
     let own = watch.clone();
@@ -211,6 +222,6 @@ pub fn on_threads<R: Send>(
     };
     match watch.raised().take() {
         Some(error) => Err(error),
-        None => result.ok_or_else(|| PyRuntimeError::new_err("the call was interrupted")),
+        None => Ok(result.is_some()),
     }
 }

@@ -3,6 +3,7 @@ use super::bernstein;
 use super::bezier::{Cubic2, Quadratic2};
 use super::curve_nearest::unit_of;
 use super::curve_piece::CurvePiece;
+use crate::arrays::sort_few;
 use crate::{Scalar, Vec2};
 
 /// Places and weights of Gauss' rule of sixteen places, which are symmetric about zero.
@@ -149,7 +150,7 @@ fn parts(velocity: Quadratic2<f64>) -> Vec<[f64; 2]> {
     if is_finite && slope.iter().any(|&x| x != 0.0) {
         bernstein::zeros(slope, 64.0 * f64::EPSILON, &mut |t| ends.push(t));
     }
-    ends.sort_unstable_by(f64::total_cmp);
+    sort_few(&mut ends, |a, b| a.total_cmp(b).is_lt());
     ends.dedup();
     let of = |part| by_rule(part, |t| velocity.point(t));
     let first = || ends.windows(2).map(|pair| [pair[0], pair[1]]);

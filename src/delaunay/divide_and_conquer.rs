@@ -3,6 +3,7 @@
 //! Halves are those along x and along y in turn, so that parts are about as high as wide and few of their triangles are
 //! removed later (Dwyer 1987).
 use super::half_edges::{HalfEdges, back};
+use crate::arrays::sort_few;
 use robust::{Coord, incircle, orient2d};
 use std::cmp::Ordering;
 
@@ -39,7 +40,7 @@ const LEAF: usize = 3;
 pub(super) fn divide(points: &mut [(Point, u32)]) {
     fn along(points: &mut [(Point, u32)], axis: Axis) {
         if points.len() <= LEAF {
-            return points.sort_unstable_by(|p, q| Axis::X.order(p.0, q.0));
+            return sort_few(points, |p, q| Axis::X.order(p.0, q.0).is_lt());
         }
         let middle = points.len() / 2;
         points.select_nth_unstable_by(middle, |p, q| axis.order(p.0, q.0));

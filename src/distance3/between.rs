@@ -30,13 +30,16 @@ fn view<S: Scalar, A: Core3<S>, B: Core3<S>>(a: &A, b: &B) -> (Vec3<S>, S) {
 /// computed once.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn relate<S: Scalar, A: Core3<S>, B: Core3<S>>(a: A, b: B) -> Relation<S> {
-    match S::RECORDS {
+    // Lanes of vectors must be inlined: their instructions are those of the calling function.
+    let is_dual =
+        size_of::<S::Primal>() <= size_of::<f64>() && size_of::<S>() > size_of::<S::Primal>();
+    match S::RECORDS || is_dual {
         true => related_once(a, b),
         false => related(a, b),
     }
 }
 
-/// Returns the relation of two cores of symbols, for all functions that record it.
+/// Returns the relation of two cores of symbols or of duals, whose code is long, for all functions that compute it.
 #[inline(never)]
 fn related_once<S: Scalar, A: Core3<S>, B: Core3<S>>(a: A, b: B) -> Relation<S> {
     related(a, b)

@@ -6,6 +6,7 @@ use super::manifold_record::{
 };
 use super::relation::Relation;
 use super::spot::plain;
+use crate::arrays::sort_few;
 use crate::predicate::order;
 use crate::scalar::{most_of, noted};
 use crate::{Scalar, Vec3};
@@ -234,5 +235,5 @@ fn arrange<P: Scalar<Mask = bool>>(all: &mut [Placed<P>]) {
     let sum = |k: usize| all.iter().fold(P::zero(), |sum, p| sum + p.at[k]);
     let mean = [sum(0).over(count), sum(1).over(count)];
     let angle = |p: &Placed<P>| (p.at[1] - mean[1]).atan2(p.at[0] - mean[0]);
-    all.sort_by(|a, b| order(angle(a), angle(b)));
+    sort_few(all, |a, b| order(angle(a), angle(b)).is_lt());
 }

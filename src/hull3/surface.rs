@@ -3,6 +3,7 @@ use super::orientation::{on_line, seen, side, turn_along};
 use super::start::{Start, by_coordinates, least, start};
 use super::triangles::{Triangle, triangles};
 use crate::Vec3;
+use crate::arrays::sort_few;
 use crate::hull::hull_search;
 use crate::predicate::Turn;
 
@@ -95,7 +96,7 @@ impl Surface {
         let Vec3 { x, y, z } = (plane[1] - plane[0]).cross(plane[2] - plane[0]);
         let sizes = [x.abs(), y.abs(), z.abs()];
         let mut axes = [0, 1, 2];
-        axes.sort_by(|&i, &j| sizes[j].total_cmp(&sizes[i]));
+        sort_few(&mut axes, |&i, &j| sizes[j].total_cmp(&sizes[i]).is_lt());
         let clear = |&axis: &usize| turn_along(axis, plane) != Turn::Straight;
         let axis = axes.into_iter().find(clear).unwrap_or(axes[0]);
         let seen: Vec<_> = points.iter().map(|&point| seen(axis, point)).collect();

@@ -5,6 +5,7 @@ use super::packet::{EightLanes, EightNumbers, NO_CHILD, PACKET, TreeNode};
 use super::solid_search::{
     LocalBounds, Wanted, error, gaps_from_face, near_children, near_triangles, present,
 };
+use crate::arrays::sort_few;
 use crate::{Pose3, Vec3};
 
 /// The way from the frame of one tree to that of another one.
@@ -176,7 +177,9 @@ fn push_nearest_last(
         };
         stack.push(next);
     }
-    stack[from..].sort_by(|a, b| b.square.total_cmp(&a.square));
+    sort_few(&mut stack[from..], |a, b| {
+        b.square.total_cmp(&a.square).is_lt()
+    });
 }
 
 /// Collects the faces of two packets whose boxes are near each other, the nearest ones first.
@@ -230,6 +233,12 @@ fn leaf_pairs<L: EightLanes>(
             found.push((gaps[lane], faces[lane], others[k]));
         }
     }
+    nearest_first(found);
+}
+
+/// Sorts faces by their distances. Apart from the search, which is compiled for every kind of vector.
+#[inline(never)]
+fn nearest_first(found: &mut [(f32, u32, u32)]) {
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
 }
 

@@ -2,6 +2,7 @@
 use super::box_ends::{Ends, NOWHERE, join, squared_gap};
 use super::nearest_few::{Candidates, beyond};
 use super::{Fill, Rings};
+use crate::arrays::sort_few;
 use crate::distance::{distance as between, segments::distance_apart};
 use crate::shape::edges;
 use crate::{Scalar, Segment2, Vec2};
@@ -134,7 +135,9 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
                 }
             }
             // The nearest pair comes first.
-            left[first..].sort_by(|(one, _), (another, _)| another.total_cmp(one));
+            sort_few(&mut left[first..], |(one, _), (another, _)| {
+                another.total_cmp(one).is_lt()
+            });
         }
         search.best
     }
@@ -187,7 +190,9 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
                     }
                 }
                 // The nearest one comes first.
-                left[first..].sort_by(|(one, _), (another, _)| another.total_cmp(one));
+                sort_few(&mut left[first..], |(one, _), (another, _)| {
+                    another.total_cmp(one).is_lt()
+                });
                 continue;
             }
             let own = node.place * FEW..self.edges.len().min((node.place + 1) * FEW);

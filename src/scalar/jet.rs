@@ -33,8 +33,9 @@ fn out_of_line<R>(run: impl FnOnce() -> R) -> R {
 
 impl<T: Scalar, const N: usize> Jet<T, N> {
     /// `true` if operations run out of line: those of nested numbers of 128 bytes and more, each a hundred
-    /// instructions.
-    const LARGE: bool = size_of::<T>() > size_of::<T::Primal>() && size_of::<Self>() >= 128;
+    /// instructions, and those of symbols, each a call per derivative of code that runs once.
+    const LARGE: bool =
+        T::RECORDS || size_of::<T>() > size_of::<T::Primal>() && size_of::<Self>() >= 128;
 
     /// Returns the independent variable of direction `i`; a constant when `i` is `N` or more.
     #[cfg_attr(not(debug_assertions), inline(always))]

@@ -15,6 +15,7 @@ use crate::ad::check::tolerances::{FEW_INPUTS, PARTS, PROJECTIONS, ROUNDINGS, SA
 use crate::ad::check::verdict::{ByWitness, Reason, Witness};
 use crate::ad::check::witness::{StepSequence, dot};
 use crate::ad::sample::Draw;
+use crate::arrays::sort_few;
 use std::cell::Cell;
 use std::ops::Range;
 
@@ -177,7 +178,7 @@ impl RowProjection<'_> {
                 let product = self.product(&part(self.direction, &half), notes)?;
                 halves.push((half, product));
             }
-            halves.sort_by(|a, b| b.1.gap().total_cmp(&a.1.gap()));
+            sort_few(&mut halves, |a, b| b.1.gap().total_cmp(&a.1.gap()).is_lt());
             for half in halves {
                 let found = self.search(half, notes);
                 if found.is_some() {

@@ -4,7 +4,8 @@ use crate::Real;
 use crate::ad::program::graph::{Graph, Id};
 use crate::ad::program::recorded::Recorded;
 use crate::error::Error;
-use crate::kernels::call::recording::{Each, Recording, UntypedSearch};
+use crate::kernels::call::recording::{Recording, UntypedSearch};
+use crate::kernels::call::searched::{Decide, compute};
 use crate::kernels::cpu::lane::{Lane, ResultTiles, TILE, Tiles};
 use crate::kernels::cpu::maker::Maker;
 use crate::kernels::cpu::program::split::{Subgraph, split};
@@ -63,7 +64,8 @@ pub(crate) fn prepared<T: Real>(
 
 /// A maker that computes item by item.
 struct ItemMaker<T> {
-    each: Each<T>,
+    decide: Decide<T>,
+    mode: Mode,
     /// The number of scalars of every shape, then of every cotangent.
     fields: Vec<usize>,
     /// The number of scalars of all shapes.
@@ -107,22 +109,24 @@ impl<T: Real> Maker<T> for ItemMaker<T> {
     fn make(&self, inputs: &[Tiles<'_, T>], out: ResultTiles<'_, T>) {
         by_item(inputs, &self.fields, self.made, out, |numbers, one| {
             let (shapes, seed) = numbers.split_at(self.taken);
-            (self.each)(shapes, (!seed.is_empty()).then_some(seed), one);
+            let seed = (!seed.is_empty()).then_some(seed);
+            compute(self.decide, self.mode, shapes, seed, one);
         });
     }
 }
 
-/// Returns the plan of an operation that is computed item by item.
+/// Returns the plan of a search, which is computed item by item.
 pub(crate) fn of_items<T: Real>(
     mode: Mode,
     leaves: Vec<Leaf<T>>,
     outputs: Vec<usize>,
-    each: Each<T>,
+    decide: Decide<T>,
 ) -> Plan<T> {
     let arguments: Vec<usize> = leaves.iter().map(|leaf| leaf.fields).collect();
     let made = mode.skipped(&outputs) + mode.gives(&arguments, &outputs).iter().sum::<usize>();
     let items = ItemMaker {
-        each,
+        decide,
+        mode,
         taken: arguments.iter().sum(),
         fields: [arguments, outputs.clone()].concat(),
         made,

@@ -29,7 +29,7 @@ pub(crate) fn plan<T: Real>(call: &Call<T>, framed: bool) -> Result<Arc<Plan<T>>
                 mode,
                 recording.takes.clone(),
                 recording.outputs.clone(),
-                (search.item)(mode),
+                search.decide,
             ),
             (Body::Search(search), _) => of_replays(mode, recording, search),
             (_, compiled) => match compiled.and_then(|compiled| of_compiled(compiled, mode)) {

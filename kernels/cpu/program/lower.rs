@@ -1,6 +1,7 @@
 //! The translation of a graph to a tape: instructions in order, operands and results in slots.
 use crate::Unrecordable;
 use crate::ad::program::graph::{Graph, Id, Node};
+use crate::arrays::sort_few;
 use crate::kernels::cpu::program::fuse::{NodeGroup, NodeInstruction, cover, groups, uses};
 use crate::kernels::cpu::program::instructions::{Instruction, Opcode};
 use crate::kernels::cpu::program::skip;
@@ -65,7 +66,9 @@ impl Lowering<'_> {
                 open.push((x, true));
                 let mut operands = self.operands(x);
                 // The operand that needs most slots comes first, while few others occupy any.
-                operands.sort_by_key(|&y| self.room[y as usize]);
+                sort_few(&mut operands, |&x, &y| {
+                    self.room[x as usize] < self.room[y as usize]
+                });
                 open.extend(operands.into_iter().map(|y| (y, false)));
                 continue;
             }
@@ -136,7 +139,7 @@ impl Tape {
         for x in 0..graph.len() as Id {
             let below = lowering.operands(x);
             let mut below: Vec<u32> = below.iter().map(|&y| lowering.room[y as usize]).collect();
-            below.sort_unstable_by(|a, b| b.cmp(a));
+            sort_few(&mut below, |a, b| a > b);
             let room = below.iter().zip(0..).map(|(room, held)| room + held).max();
             lowering.room.push(room.unwrap_or(1).max(1));
         }

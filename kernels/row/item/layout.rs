@@ -307,11 +307,20 @@ pub fn leaf<P: Item + Validate>() -> Leaf<P::Scalar> {
         fields: width::<P>(),
         codes: P::CODES,
         name: P::name,
-        check: |numbers| get::<P>(numbers).validate(),
+        // Functions, since closures would be compiled twice for every shape.
+        check: check::<P>,
         quick: quick_of::<P>(),
         rules: P::RULES,
-        axis_bounds: |numbers| P::Of::<Neutral>::load(numbers).axis_bounds(),
+        axis_bounds: axis_bounds::<P>,
     }
+}
+
+fn check<P: Item + Validate>(numbers: &[P::Scalar]) -> Result<(), Flaw> {
+    get::<P>(numbers).validate()
+}
+
+fn axis_bounds<P: Item + Validate>(numbers: &[Neutral]) -> Vec<Neutral> {
+    P::Of::<Neutral>::load(numbers).axis_bounds()
 }
 
 /// Returns the quick test of a shape: for finite numbers, or for the rules of boxes.

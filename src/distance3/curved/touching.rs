@@ -2,6 +2,7 @@
 use super::piece::{Piece, PieceKind, Place};
 use super::support::{Supported, shares, start};
 use crate::Vec3;
+use crate::arrays::sort_few;
 
 /// The most pieces of a solid that are tried.
 const PIECES: usize = 10;
@@ -66,7 +67,7 @@ pub fn candidates(solid: &dyn Supported, normal: Vec3<f64>, at: Vec3<f64>) -> Ve
             });
         }
     }
-    all.sort_by(|p, q| p.off.total_cmp(&q.off));
+    sort_few(&mut all, |p, q| p.off.total_cmp(&q.off).is_lt());
     all.truncate(PIECES);
     all
 }
