@@ -133,6 +133,23 @@ def test_all_rings_have_the_area_and_its_gradient():
     assert abs(np.asarray(grad)).max(1).min() > 0.1
 
 
+def test_lengths_of_segments_in_rings():
+    draw = np.random.default_rng(3)
+    turn = np.arange(15) * 2 * np.pi / 15
+    spokes = np.stack([np.cos(turn), np.sin(turn)], -1)
+    stars = spokes * draw.uniform(0.4, 1.3, (500, 15, 1))
+    segments = draw.uniform(-1.5, 1.5, (500, 4))
+    paths = geograd.Rings(stars.reshape(-1, 2), np.arange(501) * 15)
+    lines = shapely.linestrings(segments.reshape(-1, 2, 2))
+    known = shapely.length(shapely.intersection(lines, shapely.polygons(stars)))
+    assert (known > 0).mean() > 0.6
+    found, (by_segment, by_vertices) = geograd.length_inside.value_grad(geograd.Segment2(segments), paths)
+    np.testing.assert_allclose(found, known, atol=1e-13)
+    # All lengths grow with the drawing.
+    grown = (by_segment * segments).sum(1) + (by_vertices * paths.vertices).reshape(500, 30).sum(1)
+    np.testing.assert_allclose(grown, known, atol=1e-12)
+
+
 def test_polylines():
     given = [shapely.LineString([(0, 0), (1, 1), (2, 0)]), shapely.LinearRing([(0, 0), (4, 0), (4, 3)])]
     found = ours.polylines(given)

@@ -4709,6 +4709,8 @@ class _length_inside(Verb):
             The length inside of a segment and a rotated box.
         length_inside(segment: Segment2, triangle: Triangle2) -> number
             The length inside of a segment and a triangle.
+        length_inside(segment: Segment2, paths: ring) -> number
+            The length of the part of a segment that lies in a ring of either orientation; parts around which the ring winds twice count twice. It jumps where the segment is along an edge.
         length_inside(segment: Segment3, shape: Aabb3) -> number
             The length inside of a segment of space and an axis-aligned box.
         length_inside(segment: Segment3, capsule: Capsule3) -> number
@@ -4740,6 +4742,8 @@ class _length_inside(Verb):
     def __call__(self, segment: Segment2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, segment: Segment2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, segment: Segment2, paths: Rings, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, segment: Segment3, shape: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
