@@ -378,6 +378,8 @@ class _Buffer:
         chords: int = ..., tolerance: Optional[float] = ..., fill: Fill = ..., valid: bool = ...,
     ) -> tuple[Array, Array]:
         """Cotangents of the vertices of the column and of the distance, from those of the vertices of the result."""
+    def curves(self, column: Any, distance: ArrayLike, *, fill: Fill = ...) -> list[Optional[CurvePath]]:
+        """The border of each row's offset with round corners and ends, its arcs exact: a ``CurvePath``, ``None`` where nothing is left."""
 
 buffer: _Buffer
 """{buffer}"""

@@ -97,14 +97,16 @@ fn turned<'py, T: Format>(
     Run::joined(runs, count)?.into_python(py, true)
 }
 
-fn style(rule: &str) -> PyResult<OffsetStyle> {
+/// Returns the style of exact arcs with a fill rule.
+pub fn style(rule: &str) -> PyResult<OffsetStyle> {
     Ok(OffsetStyle {
         fill: fill(rule)?,
         ..OffsetStyle::default()
     })
 }
 
-fn searched<T: Format>(
+/// Returns the record of an offset with exact arcs.
+pub fn searched<T: Format>(
     rings: Rings<'_, T>,
     d: T,
     style: &OffsetStyle,

@@ -2,6 +2,7 @@
 #![forbid(unsafe_code)]
 mod arrays;
 mod at_once;
+mod border_curves;
 mod buffer_measures;
 mod buffered;
 mod call;
@@ -131,6 +132,7 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
         buffer_measures::polygon_buffer_measures_along,
         m
     )?)?;
+    m.add_function(wrap_pyfunction!(border_curves::polygon_buffer_curves, m)?)?;
     m.add_function(wrap_pyfunction!(overlay::polygon_union_all, m)?)?;
     m.add_function(wrap_pyfunction!(samples::samples, m)?)?;
     m.add_function(wrap_pyfunction!(samples::hard_samples, m)?)?;

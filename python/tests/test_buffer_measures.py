@@ -139,3 +139,22 @@ def test_minkowski_sums_and_no_fit_polygons():
             other = geograd.Polygons(moved.reshape(-1, 2), tip.offsets)
             sides.append(geograd.area(geograd.no_fit_polygon(tip, other))[0])
         assert abs((sides[0] - sides[1]) / (2 * step) - by_b.ravel()[k]) < 1e-7
+
+
+def test_borders_of_lines_and_arcs_have_the_measures():
+    ring = np.array([[0, 0], [9, 1], [8, 6], [5, 2.5], [1, 7]], float)
+    hole = np.array([[3, 1.5], [3.2, 2.5], [4, 1.6]])
+    shapes = geograd.Polygons.of([ring, ring[::-1], [ring, hole], ring])
+    d = np.array([0.75, 0.75, 0.05, -5.0])
+    borders = geograd.buffer.curves(shapes, d)
+    assert borders[3] is None
+    areas, lengths = geograd.buffer_area(shapes, d), geograd.buffer_perimeter(shapes, d)
+    np.testing.assert_allclose([own.area for own in borders[:3]], areas[:3], rtol=1e-13)
+    np.testing.assert_allclose([own.length for own in borders[:3]], lengths[:3], rtol=1e-13)
+    assert borders[2].steps.count("M") == 2 and "A" in borders[2].steps
+    path = geograd.Polylines([[0, 0], [4, 0], [4, 3]], [0, 3])
+    [border] = geograd.buffer.curves(path, 0.5)
+    np.testing.assert_allclose(border.area, geograd.buffer_area(path, 0.5)[0], rtol=1e-13)
+    assert geograd.buffer.curves(geograd.Polygons.of([]), 1.0) == []
+    with pytest.raises(ValueError, match="distance"):
+        geograd.buffer.curves(shapes, [1.0, 2.0])

@@ -19,8 +19,8 @@ NAMES = sorted(path.stem for path in FOLDER.glob("*.py"))
 
 
 def libraries(text):
-    """The packages that a notebook imports."""
-    return {name for name in re.findall(r"^(?:import|from) (\w+)", text, re.M)}
+    """The packages that a notebook imports, also where it says so if one is missing."""
+    return set(re.findall(r"^ *(?:import|from) (\w+)", text, re.M))
 
 
 def chosen():

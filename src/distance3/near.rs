@@ -3,7 +3,7 @@ use super::spot::Spot;
 use crate::arrays::Each;
 use crate::distance::share::{Best, Carry};
 use crate::scalar::largest;
-use crate::{Scalar, Vec3};
+use crate::{Mask, Scalar, Vec3};
 
 /// A straight edge: `from + t along` with t from 0 to 1.
 #[derive(Clone, Copy, Debug)]
@@ -119,6 +119,9 @@ impl<P: Scalar> Candidate<P> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn add(&mut self, other: &Self) -> P {
         let ties = other.square.equals(self.square);
+        if !ties.any() {
+            return P::zero();
+        }
         let sum = |sum: Vec3<P>, v: Vec3<P>| sum + Vec3::select(ties, v, Vec3::zero());
         self.near = Nearest {
             apart: sum(self.near.apart, other.near.apart),
@@ -358,6 +361,18 @@ pub(super) fn edges_near<S: Scalar>(
     let t = (u.dot(v) * s - w.dot(v)).over(length);
     let (zero, one) = (S::zero(), S::one());
     let inside = zero.below(s) & s.below(one) & zero.below(t) & t.below(one) & !normal.none;
+    // The corners are nearer, and nobody reads the rest.
+    if !inside.any() {
+        let none = Nearest::of(w, a.from, b.from);
+        return (
+            Best {
+                value: S::largest(),
+                ..none
+            },
+            [s, t],
+            normal.clear,
+        );
+    }
     let way = w + v * fixed(t) - u * fixed(s);
     let (apart, direction) = across(normal, way);
     let mut found = Nearest::of(apart, a.from + u * s, b.from + v * t);

@@ -50,7 +50,8 @@
 //! Kinks: an impact that grazes, where bodies touch without approach, is a jump: the time has derivative zero there.
 //! Bodies that touch at time 0 have time 0 with derivative zero. A miss has the largest finite number as its time, with
 //! derivative zero. The derivatives of the distance at that time have the kinks of [`distance3`](crate::distance3). Of
-//! several times with the least distance the first that was found counts. A face that stays parallel to another one has
+//! several times with the least distance the first that was found counts. Where parallel faces meet, the point of an impact
+//! is one of many: it has the derivative of the body that it is on. A face that stays parallel to another one has
 //! the mean of their slopes, which is 0 by a turn where both sides are alike.
 mod clearance;
 mod impact;

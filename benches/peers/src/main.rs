@@ -15,6 +15,7 @@
 mod boolean;
 mod levels;
 mod meshes;
+mod meshes_checked;
 mod offsets;
 mod paper;
 mod planner;
@@ -156,7 +157,7 @@ fn on_threads(threads: usize, run: impl FnOnce() + Send) {
 const HELP: &str = "\
 Usage: peers [--levels | --shapes | --suppress] [--csv FILE]
        peers --paper SVG [--csv FILE] [--backend cpu|gpu|auto]
-       peers --polygons | --boolean | --meshes | --offsets
+       peers --polygons | --boolean | --meshes [--check] | --offsets
        peers --space [--pairs FILE]
        peers --planner
 
@@ -213,6 +214,7 @@ fn run(arguments: &[String], machine: &Machine) -> Result<(), Failure> {
             | "--meshes"
             | "--offsets"]
             | ["--levels" | "--shapes" | "--suppress", "--csv", _]
+            | ["--meshes", "--check"]
             | ["--space", "--pairs", _]
             | ["--paper", _]
             | ["--paper", _, "--csv", _]
@@ -244,6 +246,7 @@ fn run(arguments: &[String], machine: &Machine) -> Result<(), Failure> {
         ["--paper", picture] => write(picture, &paper::paper(machine).0)?,
         ["--polygons"] => polygons::polygons(),
         ["--meshes"] => meshes::run(),
+        ["--meshes", "--check"] => meshes_checked::run(),
         ["--offsets"] => on_threads(1, offsets::offsets),
         ["--space"] => space::space(1_000_000),
         ["--space", "--pairs", file] => write(file, &space::pairs(10_000))?,

@@ -18,10 +18,10 @@ const ROUNDS: usize = 8;
 /// Beyond this many directions a ray ends.
 const FAR: f64 = 1e9;
 
-type Faces = (Vec<Vec3<f64>>, Vec<[u32; 3]>);
+pub type Faces = (Vec<Vec3<f64>>, Vec<[u32; 3]>);
 
 /// A tube of so many by so many quadrilaterals along a closed curve, each two faces, with a rough surface.
-fn tube(curve: impl Fn(f64) -> Vec3<f64>, radius: f64, [long, round]: [usize; 2]) -> Faces {
+pub fn tube(curve: impl Fn(f64) -> Vec3<f64>, radius: f64, [long, round]: [usize; 2]) -> Faces {
     let mut dice = Dice(5);
     let mut vertices = Vec::new();
     for i in 0..long {
@@ -46,10 +46,10 @@ fn tube(curve: impl Fn(f64) -> Vec3<f64>, radius: f64, [long, round]: [usize; 2]
     (vertices, faces.collect())
 }
 
-fn ring(t: f64) -> Vec3<f64> {
+pub fn ring(t: f64) -> Vec3<f64> {
     Vec3::new(0.35 * t.cos(), 0.35 * t.sin(), 0.0)
 }
-fn knot(t: f64) -> Vec3<f64> {
+pub fn knot(t: f64) -> Vec3<f64> {
     let r = (3.0 * t).cos() + 2.0;
     let place = Vec3::new(r * (2.0 * t).cos(), r * (2.0 * t).sin(), -(3.0 * t).sin());
     place * (1.0 / 6.8)

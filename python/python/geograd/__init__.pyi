@@ -371,6 +371,8 @@ class _Buffer:
         chords: int = ..., tolerance: Optional[float] = ..., fill: Fill = ..., valid: bool = ...,
     ) -> tuple[Array, Array]:
         """Cotangents of the vertices of the column and of the distance, from those of the vertices of the result."""
+    def curves(self, column: Any, distance: ArrayLike, *, fill: Fill = ...) -> list[Optional[CurvePath]]:
+        """The border of each row's offset with round corners and ends, its arcs exact: a ``CurvePath``, ``None`` where nothing is left."""
 
 buffer: _Buffer
 """Polygons grown (a positive distance) or shrunk (a negative one), or the surroundings of open paths, row by row.
@@ -2976,6 +2978,8 @@ class _closest_points(Verb):
             The nearest points of a ball and a box of any orientation. Points jump to another nearest feature.
         closest_points(a: Triangle2, b: Triangle2) -> PointPair
             The nearest points of two triangles. Points jump to another nearest feature.
+        closest_points(triangle: Triangle3, hull: Hull3_8) -> PointPair3
+            The nearest points of a triangle of space and a convex hull. Hulls have up to N vertices. Points jump to another nearest feature.
         closest_points(a: Triangle3, b: Triangle3) -> PointPair3
             The nearest points of two triangles of space. Points jump to another nearest feature.
         closest_points(point: Vec2, shape: Obb2) -> PointPair
@@ -3033,6 +3037,8 @@ class _closest_points(Verb):
     def __call__(self, ball: Sphere, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
     def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
+    def __call__(self, triangle: Triangle3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
     def __call__(self, a: Triangle3, b: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload

@@ -3,6 +3,7 @@
 import numpy as np
 
 from . import _core
+from ._curves import CurvePath
 from ._polygons import Polygons, _cotangents
 from ._shapes import Paths, Polylines
 
@@ -40,6 +41,19 @@ class Buffer:
 
     def __call__(self, column, distance, **style):
         return self._of(column, distance, **style)[0]
+
+    def curves(self, column, distance, *, fill="even_odd"):
+        """The border of each row's offset with round corners and ends, its arcs exact: a ``CurvePath``, ``None`` where nothing is left.
+
+        The offset is on the left of its contours. Arcs that are not certain are chords, as ``geograd.buffer_area.is_exact`` tells.
+
+        >>> square = geograd.Polygons.of([[(0, 0), (4, 0), (4, 4), (0, 4)]])
+        >>> [border] = geograd.buffer.curves(square, 1.0)
+        >>> border.steps, round(border.area, 6)
+        ('MALALALAZ', 35.141593)
+        """
+        borders = _core.polygon_buffer_curves(*given(column, distance), fill)
+        return [CurvePath(*border) if border is not None else None for border in borders]
 
     def vjp(self, column, distance, upstream, **style):
         """Cotangents of the vertices of the column and of the distance, from those of the vertices of the result."""

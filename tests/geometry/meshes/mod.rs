@@ -9,6 +9,7 @@ mod indexed_columns;
 mod many_queries;
 mod mesh_faults;
 pub mod mesh_shapes;
+mod near_points;
 mod near_solids;
 mod pierced_faces;
 mod point_clouds;

@@ -26,7 +26,7 @@ fn place(owned: &Owned, random: &mut Random, k: usize) -> (Vec3<f64>, f64) {
     (on + random.vector(away), size)
 }
 
-fn turn(random: &mut Random) -> Rotation3<f64> {
+pub fn turn(random: &mut Random) -> Rotation3<f64> {
     Rotation3::from_rotation_vector(random.vector(3.0))
 }
 
@@ -296,7 +296,7 @@ fn compare(name: &str, slope: f64, sides: [f64; 2]) {
 }
 
 /// Moves every number of a shape by another one's.
-fn moved<P: Pack<Scalar = f64, With<f64> = P>>(shape: &P, way: &[f64], step: f64) -> P {
+pub fn moved<P: Pack<Scalar = f64, With<f64> = P>>(shape: &P, way: &[f64], step: f64) -> P {
     let mut way = way.iter();
     shape.remake(&mut |&x| x + way.next().unwrap() * step)
 }
