@@ -100,7 +100,8 @@ pub fn selected(
             *least = name;
         }
     }
-    let is_turn = |verb: &str| share.is_none_or(|share| hash(share, verb).is_multiple_of(VERBS_SHARE));
+    let is_turn =
+        |verb: &str| share.is_none_or(|share| hash(share, verb).is_multiple_of(VERBS_SHARE));
     let turns = first.into_iter().filter(|(verb, _)| is_turn(verb));
     let mut chosen: HashSet<_> = turns.map(|(_, name)| name).collect();
     let is_wanted = |name: &str| {

@@ -197,7 +197,6 @@ hull_rows! {
         "closest_points_point_hull": Vec3;
         "closest_points_sphere_hull": Sphere;
         "closest_points_capsule_hull": Capsule3;
-        "closest_points_triangle_hull": Triangle3;
         "closest_points_obb3_hull": Obb3;
     }
     /// The [depth of overlap and its direction](crate::distance3::penetration) of {}. Hulls have up to `N` vertices.

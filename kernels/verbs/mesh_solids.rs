@@ -37,7 +37,7 @@ use crate::kernels::cpu::mesh_batches::{MeshBars, check, each};
 use crate::kernels::machine::Indexed;
 use crate::kernels::row::item::Single;
 use crate::kernels::row::item::counts::expect;
-use crate::kernels::verbs::{Arguments, ClosestPoints, Distance, function};
+use crate::kernels::verbs::{Arguments, Distance, function};
 use crate::mesh::{FacePair, Mesh, MeshSolid, MeshSurface, pair_closest_points, pair_distance};
 use crate::mesh::{faces_within, nearest_pair, nearest_to, pairs_within};
 use crate::{
@@ -51,7 +51,7 @@ pub trait SolidItem<T: Real + Single>: MeshSolid<T> + Single<Scalar = T> + Valid
     fn distance_vjp() -> impl Function<((Triangle3<T>, Self), T), Out = (Triangle3<T>, Self)>;
 }
 
-/// A solid whose nearest points have derivatives in batches.
+/// A solid whose nearest points have derivatives in batches: each but hulls, whose nearest points have none as a batch.
 pub trait SolidPoints<T: Real + Single>: SolidItem<T> {
     /// Returns the adjoint of [`closest_from`](MeshSolid::closest_from).
     fn closest_vjp()
@@ -79,12 +79,6 @@ solid_items! { Sphere Segment3 Capsule3 Triangle3 Tetrahedron Aabb3 Obb3 RoundBo
 impl<T: Real + Single, const N: usize> SolidItem<T> for Hull3<T, N> {
     fn distance_vjp() -> impl Function<((Triangle3<T>, Self), T), Out = (Triangle3<T>, Self)> {
         Distance.row::<(Triangle3<T>, Hull3<T, N>)>().vjp()
-    }
-}
-impl<T: Real + Single, const N: usize> SolidPoints<T> for Hull3<T, N> {
-    fn closest_vjp()
-    -> impl Function<((Triangle3<T>, Self), PointPair3<T>), Out = (Triangle3<T>, Self)> {
-        ClosestPoints.row::<(Triangle3<T>, Hull3<T, N>)>().vjp()
     }
 }
 

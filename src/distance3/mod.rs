@@ -57,7 +57,7 @@
 //! | ellipsoid | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s C p f | d q s c p f |
 //! | disc | D q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q S c p f | d q s c p f | d q s c p f |
 //! | own shape | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f | d q s c p f |
-//! | hull | D q S C p f | D q S C P f | D q s c p f | D q S C P f | D q S C p f | D q S c p f | D q S C P f | D q S c P f |
+//! | hull | D q S C p f | D q S C P f | D q s c p f | D q S C P f | D q S c p f | D q S c p f | D q S C P f | D q S c P f |
 //!
 //! | line | D q s C p - | d q S c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - |
 //! | ray | D q s c p - | d q S c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - |
