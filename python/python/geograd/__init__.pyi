@@ -2978,8 +2978,6 @@ class _closest_points(Verb):
             The nearest points of a ball and a box of any orientation. Points jump to another nearest feature.
         closest_points(a: Triangle2, b: Triangle2) -> PointPair
             The nearest points of two triangles. Points jump to another nearest feature.
-        closest_points(triangle: Triangle3, hull: Hull3_8) -> PointPair3
-            The nearest points of a triangle of space and a convex hull. Hulls have up to N vertices. Points jump to another nearest feature.
         closest_points(a: Triangle3, b: Triangle3) -> PointPair3
             The nearest points of two triangles of space. Points jump to another nearest feature.
         closest_points(point: Vec2, shape: Obb2) -> PointPair
@@ -3037,8 +3035,6 @@ class _closest_points(Verb):
     def __call__(self, ball: Sphere, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
     def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
-    @overload
-    def __call__(self, triangle: Triangle3, hull: Hull3_8, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
     def __call__(self, a: Triangle3, b: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
