@@ -11,11 +11,11 @@ from geograd import _core
 # A test with more cases than this runs a share of them for a commit.
 MANY = 24
 # One case of so many is in a share.
-TURN = 6
+TURN = 12
 
 
 def pytest_collection_modifyitems(config, items):
-    """Selects a sixth of the cases of tests with many, by the variable GEOGRAD_SHARE, such as a commit's name; all without it."""
+    """Selects a twelfth of the cases of tests with many, by the variable GEOGRAD_SHARE, such as a commit's name; all without it."""
     share = os.environ.get("GEOGRAD_SHARE")
     if not share or os.environ.get("GEOGRAD_ALL_ROWS") == "1":
         return

@@ -1,10 +1,10 @@
 //! Closest points of a million places on five meshes against every face one by one, by a formula of its own.
 use super::Dice;
 use super::meshes::{Faces, knot, ring, tube};
+use geograd::Vec3;
 use geograd::kernels::Cpu;
 use geograd::kernels::cpu::mesh_batches::MeshDistance;
 use geograd::mesh::{Mesh, MeshTree};
-use geograd::{Pack, Vec3};
 
 /// The number of queries of each mesh.
 const QUERIES: usize = 200_000;

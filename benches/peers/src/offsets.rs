@@ -65,7 +65,7 @@ fn coast(dice: &mut Dice, vertices: usize) -> Ring {
     (0..vertices).map(spoke).collect()
 }
 
-/// Seconds of each library for all rings, the areas it finds, and its words.
+/// A library, and the area that it finds for the offset of a ring.
 struct Peer<'a> {
     name: &'static str,
     areas: Box<dyn Fn(&Ring) -> f64 + 'a>,
