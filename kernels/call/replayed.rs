@@ -89,7 +89,8 @@ impl NumberBlock {
     }
 }
 
-/// What replays need of a search in a format, without the types of its shapes: all else is compiled once per format.
+/// The code of a search that its replays call in a format, without the types of its shapes. All else is compiled once per
+/// format.
 pub(crate) struct SearchCode<T> {
     /// Decides an item. Returns the key of its replay, and the hints.
     decide: fn(&[T]) -> (ReplayKey, Vec<T>),

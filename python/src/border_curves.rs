@@ -1,11 +1,11 @@
 //! Borders of offsets as steps of lines and arcs, item by item, on all cores.
 use crate::buffer_measures::{searched, style};
 use crate::buffered::{Source, at};
+use crate::curve_calls::letters;
 use crate::polygon_calls::in_runs;
 use crate::polygons::Format;
 use crate::raised;
 use geograd::Pack;
-use geograd::curve::{CurveElement, CurvePath};
 use geograd::offset::round_offset_curves;
 use geograd::polygon::Rings;
 use numpy::PyArray1;
@@ -13,19 +13,6 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 type Object<'py> = Bound<'py, PyAny>;
-
-/// Returns the letters of a path's steps.
-fn letters(path: &CurvePath<f64>) -> String {
-    let letter = |element: &CurveElement<f64>| match element {
-        CurveElement::MoveTo(_) => 'M',
-        CurveElement::LineTo(_) => 'L',
-        CurveElement::ArcTo(..) => 'A',
-        CurveElement::QuadTo(..) => 'Q',
-        CurveElement::CurveTo(..) => 'C',
-        CurveElement::Close => 'Z',
-    };
-    path.elements().iter().map(letter).collect()
-}
 
 /// The borders of the offsets of a column of polygons, or of paths given as vertices with the start of each: letters and
 /// numbers of a path of curves, or `None` where nothing is left. In double precision, whatever the column has.

@@ -48,6 +48,19 @@ fn element(letter: char, from: &mut &[f64]) -> PyResult<CurveElement<f64>> {
     })
 }
 
+/// Returns the letters of a path's steps.
+pub fn letters(path: &CurvePath<f64>) -> String {
+    let letter = |element: &CurveElement<f64>| match element {
+        CurveElement::MoveTo(_) => 'M',
+        CurveElement::LineTo(_) => 'L',
+        CurveElement::ArcTo(..) => 'A',
+        CurveElement::QuadTo(..) => 'Q',
+        CurveElement::CurveTo(..) => 'C',
+        CurveElement::Close => 'Z',
+    };
+    path.elements().iter().map(letter).collect()
+}
+
 impl CurveCore {
     /// Returns the result for every point, in order, and the searches' places.
     fn of_points<R: Send + Copy>(

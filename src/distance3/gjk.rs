@@ -158,7 +158,7 @@ fn nearest<D: Difference>(simplex: &[D], apart: bool) -> Option<[f64; 4]> {
         [p, q, r, s] => {
             let all = [p.way(), q.way(), r.way(), s.way()];
             let (mut best, mut inside) = (f64::INFINITY, true);
-            // Where solids are apart, a face with the origin behind it counts only if rounding has put the origin behind all.
+            // A face of solids apart that has the origin behind it counts only if rounding has put the origin behind all.
             for all_faces in [false, true] {
                 for [i, j, k, behind] in [[0, 1, 2, 3], [0, 2, 3, 1], [0, 3, 1, 2], [1, 3, 2, 0]] {
                     let normal = (all[j] - all[i]).cross(all[k] - all[i]);

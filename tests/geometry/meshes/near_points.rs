@@ -1,6 +1,6 @@
 //! Cotangents of nearest points of meshes, solids and other meshes, against differences of whole queries.
 use super::mesh_shapes::{Owned, bumpy_sphere, cube, one_face};
-use super::near_solids::{moved, turn};
+use super::near_solids::{moved, pairs_of_meshes, stepped, turn, with_stepped};
 use crate::space::draw::Random;
 use geograd::distance3::PointPair3;
 use geograd::kernels::Cpu;
@@ -33,11 +33,6 @@ fn along<P: Pack<Scalar = f64> + Clone>(bar: &P, way: &[f64]) -> f64 {
 
 fn of_vertices(bars: &[Vec3<f64>], ways: &[Vec3<f64>]) -> f64 {
     bars.iter().zip(ways).map(|(bar, way)| bar.dot(*way)).sum()
-}
-
-fn stepped(owned: &Owned, ways: &[Vec3<f64>], step: f64) -> Vec<Vec3<f64>> {
-    let all = owned.vertices.iter().zip(ways);
-    all.map(|(&v, &way)| v + way * step).collect()
 }
 
 /// Returns `false` where nearest points jump, which both differences tell by their size or by each other.
@@ -126,28 +121,19 @@ fn nearest_points_of_solids_have_the_slopes_of_differences() {
 fn nearest_points_of_meshes_have_the_slopes_of_differences() {
     let (mut random, cpu) = (Random(0x50f1_d5ea_0000_0014), Cpu::new());
     let mut judged = 0;
-    for (first, second) in [
-        (cube(), bumpy_sphere(1)),
-        (bumpy_sphere(2), one_face()),
-        (bumpy_sphere(1), bumpy_sphere(2)),
-    ] {
+    for (first, second) in pairs_of_meshes() {
         let both = [&first, &second];
         let ways =
             both.map(|own| -> Vec<_> { own.vertices.iter().map(|_| random.vector(1.0)).collect() });
         let run = |pose: Pose3<f64>, step: f64, up: &PointPair3<f64>| {
-            let vertices = [0, 1].map(|k| stepped(both[k], &ways[k], step));
-            let meshes = [0, 1].map(|k| Mesh::new(&vertices[k], &both[k].faces).unwrap());
-            let trees = meshes.map(|mesh| MeshTree::new(&mesh));
-            let surfaces = [
-                &trees[0].on(&meshes[0]).unwrap(),
-                &trees[1].on(&meshes[1]).unwrap(),
-            ];
-            let [own, other] = surfaces;
-            let pairs = cpu.nearest_pairs(own, other, &[pose]).unwrap();
-            let apart = cpu.pair_distances(surfaces, &[pose], &pairs).unwrap()[0];
-            let spots = cpu.pair_closest_points(surfaces, &[pose], &pairs).unwrap();
-            let bars = cpu.pair_closest_points_vjp(surfaces, &[pose], &pairs, &[*up]);
-            (apart, weighed(&spots[0], up), bars.unwrap())
+            with_stepped(both, &ways, step, |surfaces| {
+                let [own, other] = surfaces;
+                let pairs = cpu.nearest_pairs(own, other, &[pose]).unwrap();
+                let apart = cpu.pair_distances(surfaces, &[pose], &pairs).unwrap()[0];
+                let spots = cpu.pair_closest_points(surfaces, &[pose], &pairs).unwrap();
+                let bars = cpu.pair_closest_points_vjp(surfaces, &[pose], &pairs, &[*up]);
+                (apart, weighed(&spots[0], up), bars.unwrap())
+            })
         };
         for k in 0..20 {
             let pose = Pose3::new(random.vector(4.0), turn(&mut random));

@@ -301,6 +301,37 @@ pub fn moved<P: Pack<Scalar = f64, With<f64> = P>>(shape: &P, way: &[f64], step:
     shape.remake(&mut |&x| x + way.next().unwrap() * step)
 }
 
+/// Returns the vertices of a mesh, moved along ways.
+pub fn stepped(owned: &Owned, ways: &[Vec3<f64>], step: f64) -> Vec<Vec3<f64>> {
+    let all = owned.vertices.iter().zip(ways);
+    all.map(|(&v, &way)| v + way * step).collect()
+}
+
+/// Calls a function with two meshes whose vertices are moved along ways.
+pub fn with_stepped<R>(
+    both: [&Owned; 2],
+    ways: &[Vec<Vec3<f64>>; 2],
+    step: f64,
+    run: impl FnOnce([&MeshSurface<'_, f64>; 2]) -> R,
+) -> R {
+    let vertices = [0, 1].map(|k| stepped(both[k], &ways[k], step));
+    let meshes = [0, 1].map(|k| Mesh::new(&vertices[k], &both[k].faces).unwrap());
+    let trees = meshes.map(|mesh| MeshTree::new(&mesh));
+    run([
+        &trees[0].on(&meshes[0]).unwrap(),
+        &trees[1].on(&meshes[1]).unwrap(),
+    ])
+}
+
+/// Pairs of meshes that poses place beside each other.
+pub fn pairs_of_meshes() -> [(Owned, Owned); 3] {
+    [
+        (cube(), bumpy_sphere(1)),
+        (bumpy_sphere(2), one_face()),
+        (bumpy_sphere(1), bumpy_sphere(2)),
+    ]
+}
+
 #[test]
 fn distances_of_solids_have_the_slopes_of_differences() {
     if !geograd_tests::is_due("distances_of_solids_have_the_slopes_of_differences") {
@@ -335,12 +366,7 @@ fn distances_of_solids_have_the_slopes_of_differences() {
                 .clone()
                 .each(&mut |bar| by_solid += *bar * numbers.next().unwrap());
             let side = |step: f64| {
-                let vertices: Vec<_> = owned
-                    .vertices
-                    .iter()
-                    .zip(&ways)
-                    .map(|(&v, &w)| v + w * step)
-                    .collect();
+                let vertices = stepped(owned, &ways, step);
                 let mesh = Mesh::new(&vertices, &owned.faces).unwrap();
                 let tree = MeshTree::new(&mesh);
                 let there = tree
@@ -388,36 +414,24 @@ fn distances_of_solids_have_the_slopes_of_differences() {
 fn distances_of_meshes_have_the_slopes_of_differences() {
     let (mut random, cpu) = (Random(0x50f1_d5ea_0000_0004), Cpu::new());
     let mut judged = 0;
-    for (first, second) in [
-        (cube(), bumpy_sphere(1)),
-        (bumpy_sphere(2), one_face()),
-        (bumpy_sphere(1), bumpy_sphere(2)),
-    ] {
+    for (first, second) in pairs_of_meshes() {
         let both = [&first, &second];
         let ways =
             both.map(|own| -> Vec<_> { own.vertices.iter().map(|_| random.vector(1.0)).collect() });
         let run = |pose: Pose3<f64>, step: f64| {
-            let vertices = [0, 1].map(|k| -> Vec<Vec3<f64>> {
-                let all = both[k].vertices.iter().zip(&ways[k]);
-                all.map(|(&v, &w)| v + w * step).collect()
-            });
-            let meshes = [0, 1].map(|k| Mesh::new(&vertices[k], &both[k].faces).unwrap());
-            let trees = meshes.map(|mesh| MeshTree::new(&mesh));
-            let surfaces = [
-                &trees[0].on(&meshes[0]).unwrap(),
-                &trees[1].on(&meshes[1]).unwrap(),
-            ];
-            let pairs = cpu
-                .nearest_pairs(surfaces[0], surfaces[1], &[pose])
-                .unwrap();
-            let values = cpu.pair_distances(surfaces, &[pose], &pairs).unwrap();
-            let bars = cpu.pair_distances_vjp(surfaces, &[pose], &pairs, &[1.0]);
-            let spots = cpu.pair_closest_points(surfaces, &[pose], &pairs).unwrap();
-            let apart = (spots[0].on_a - spots[0].on_b).length();
-            // Points of crossing faces are apart.
-            let is_right = (apart - values[0]).abs() <= 1e-12 * (1.0 + apart);
-            assert!(is_right || values[0] == 0.0);
-            (values[0], bars.unwrap())
+            with_stepped(both, &ways, step, |surfaces| {
+                let pairs = cpu
+                    .nearest_pairs(surfaces[0], surfaces[1], &[pose])
+                    .unwrap();
+                let values = cpu.pair_distances(surfaces, &[pose], &pairs).unwrap();
+                let bars = cpu.pair_distances_vjp(surfaces, &[pose], &pairs, &[1.0]);
+                let spots = cpu.pair_closest_points(surfaces, &[pose], &pairs).unwrap();
+                let apart = (spots[0].on_a - spots[0].on_b).length();
+                // Points of crossing faces are apart.
+                let is_right = (apart - values[0]).abs() <= 1e-12 * (1.0 + apart);
+                assert!(is_right || values[0] == 0.0);
+                (values[0], bars.unwrap())
+            })
         };
         for _ in 0..20 {
             let pose = Pose3::new(random.vector(4.0), turn(&mut random));
