@@ -12,8 +12,10 @@ use crate::kernels::row::op::Extremes;
 /// limit of aspects.
 const ROUNDINGS: f64 = 64.0;
 const LIMIT: f64 = 1e20;
-/// The same for distances, times the largest coordinate or length: searches over curved bodies are exact to 10⁻¹³ of it.
+/// The same for distances, times the largest coordinate or length: 512 roundings are more than [`OF_SEARCHES`].
 const OF_DISTANCES: f64 = 512.0;
+/// The error of searches over curved bodies, times the largest coordinate or length, in either format.
+pub(super) const OF_SEARCHES: f64 = 1e-13;
 
 impl<T: Real> Job<T> {
     /// Tests pairs that are certainly apart, since their numbers bound them along x or y.

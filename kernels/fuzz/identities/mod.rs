@@ -18,6 +18,7 @@ mod sentences;
 use crate::Real;
 use crate::ad::sample::{Draw, fewer_digits};
 use crate::kernels::dynamic::{Function, Rows};
+use crate::kernels::fuzz::couples::OF_SEARCHES;
 use crate::kernels::fuzz::tested::{Tested, rows};
 use crate::kernels::fuzz::{self, Broken, Fuzzed, Property};
 use operands::ArgumentRanges;
@@ -227,7 +228,8 @@ impl Identity {
             }
         }
         for (case, largest) in cases.iter_mut().zip(largest) {
-            case.slack = self.sentence.roundings * T::format().epsilon() * largest;
+            let roundings = self.sentence.roundings * T::format().epsilon();
+            case.slack = roundings.max(OF_SEARCHES) * largest;
         }
         let mut all = cases.iter().zip(&answers);
         all.position(|(case, answers)| {

@@ -55,7 +55,7 @@ pub(super) struct Sentence {
     /// The verbs of the rows that it concerns.
     pub verbs: &'static [&'static str],
     pub asks: &'static [Question],
-    /// The number of roundings of the largest coordinate by which results may differ.
+    /// The number of roundings of the largest coordinate by which results may differ, beside the error of searches.
     pub roundings: f64,
     /// The identity, given the first numbers of the results to compare with.
     pub holds: fn(&Case<'_>, &[f64]) -> bool,
