@@ -3,6 +3,7 @@
 //! A [`Graph`] is a list of [`Node`]s in an order in which every node comes after its operands.
 //! Equal nodes are one node. Nodes are made through [`Graph::make`], which simplifies exactly.
 pub use crate::scalar::Format;
+use rustc_hash::FxBuildHasher;
 use std::collections::HashMap;
 
 /// The index of a node in its graph.
@@ -209,7 +210,7 @@ pub(crate) struct Graph {
     pub(crate) plain: bool,
     /// The operations, in an order in which they can be carried out.
     nodes: Vec<Node>,
-    known: HashMap<Node, Id>,
+    known: HashMap<Node, Id, FxBuildHasher>,
 }
 
 impl Graph {
@@ -219,7 +220,7 @@ impl Graph {
             format,
             plain: false,
             nodes: Vec::new(),
-            known: HashMap::new(),
+            known: HashMap::default(),
         }
     }
 
