@@ -1,5 +1,5 @@
 //! Rows of the library with all that judges them, compiled here once for tests and reports.
-use crate::{hash, takes_all};
+use crate::{hash, takes_all, turn};
 use geograd::Real;
 use geograd::ad::check::sample::Draw;
 use geograd::kernels::dynamic::{self, Mode, named_rows};
@@ -36,8 +36,8 @@ pub fn rows() -> Vec<&'static Tested> {
 }
 
 /// Rows that a slow test judges, of these: one of every verb that is not costly, rows that are wanted always, and a share
-/// that the variable `GEOGRAD_SHARE` selects, such as the name of a commit; with that one of every second verb. All of them with `GEOGRAD_ALL_ROWS=1`, or if `GEOGRAD_OP` names
-/// some.
+/// that the variable `GEOGRAD_SHARE` selects, such as the name of a commit; with that one of every second verb. All of
+/// them with `GEOGRAD_ALL_ROWS=1`, or if `GEOGRAD_OP` names some.
 ///
 /// A row is selected by its name, so that a new one changes nothing but its own verb's.
 ///
@@ -109,6 +109,14 @@ pub fn selected(
     };
     chosen.extend(names.into_iter().filter(|name| is_wanted(name)));
     chosen
+}
+
+/// One of so many cases, others for every `GEOGRAD_SHARE`; all of them with `GEOGRAD_ALL_ROWS=1`.
+#[must_use]
+pub fn drawn<C>(cases: Vec<C>, one_of: usize) -> Vec<C> {
+    let step = if takes_all() { 1 } else { one_of };
+    let first = turn() as usize % step;
+    cases.into_iter().skip(first).step_by(step).collect()
 }
 
 /// Rows that have compiled kernels.

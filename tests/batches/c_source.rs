@@ -3,7 +3,7 @@ use crate::written::{Case, cases, elementary, numbers, replays, searches, straig
 use geograd::ad::program::{Program, Sym};
 use geograd::kernels::dynamic;
 use geograd::{Error, Obb2, Real, Scalar, Unrecordable, Vec2};
-use geograd_tests::turn;
+use geograd_tests::list::drawn;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -120,20 +120,11 @@ impl Number for f64 {
     }
 }
 
-/// Returns one of so many rows, others for every commit; all of them where all are wanted.
-fn drawn<T>(rows: &[T], one_of: usize) -> impl Iterator<Item = &T> {
-    let (first, step) = match std::env::var("GEOGRAD_ALL_ROWS") {
-        Ok(_) => (0, 1),
-        Err(_) => (turn() as usize % one_of, one_of),
-    };
-    rows.iter().skip(first).step_by(step)
-}
-
 #[test]
 fn every_straight_line_has_its_bits_in_c() {
     let mut folder = Folder::new("rows_of_c");
     // Compilers take most of the time.
-    for row in drawn(&straight(), 12) {
+    for row in drawn(straight(), 12) {
         for case in cases::<f64>(row) {
             folder.add_case(&case);
         }
@@ -141,7 +132,7 @@ fn every_straight_line_has_its_bits_in_c() {
             folder.add_case(&case);
         }
     }
-    for row in drawn(&searches(), 24) {
+    for row in drawn(searches(), 24) {
         for case in replays::<f64>(row).iter().take(1) {
             folder.add_case(case);
         }
@@ -230,7 +221,7 @@ fn a_function_has_what_it_needs_and_no_more() {
 /// The kernel of CUDA, compiled as C++ with a grid of one processor that runs thread after thread.
 #[test]
 fn kernels_of_cuda_have_the_bits_on_a_grid_of_one_processor() {
-    let rows = straight();
+    let rows = drawn(straight(), 24);
     let mut all = dynamic_cases::<f64>(&rows);
     all.extend(dynamic_cases::<f32>(&rows));
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("kernels_of_cuda");
@@ -293,7 +284,7 @@ type Kernel = (String, String, Vec<u8>, String, String);
 
 /// Returns the derivatives of rows as kernels, with each argument in an array of its own.
 fn dynamic_cases<T: Number>(rows: &[&'static geograd_tests::list::Tested]) -> Vec<Kernel> {
-    let each = drawn(rows, 24).map(|row| {
+    let each = rows.iter().map(|row| {
         let [_, case] = cases::<T>(row);
         let name = format!("{}_{}", case.name, T::C);
         let program: &dynamic::Program<T> = &case.program;
