@@ -113,7 +113,7 @@ pub fn selected(
 
 /// One of so many cases, others for every `GEOGRAD_SHARE`; all of them with `GEOGRAD_ALL_ROWS=1`.
 #[must_use]
-pub fn drawn<C>(cases: Vec<C>, one_of: usize) -> Vec<C> {
+pub fn share_of<C>(cases: Vec<C>, one_of: usize) -> Vec<C> {
     let step = if takes_all() { 1 } else { one_of };
     let first = turn() as usize % step;
     cases.into_iter().skip(first).step_by(step).collect()

@@ -3,7 +3,7 @@ use crate::written::{Case, cases, elementary, numbers, replays, searches, straig
 use geograd::ad::program::{Program, Sym};
 use geograd::kernels::dynamic;
 use geograd::{Error, Obb2, Real, Scalar, Unrecordable, Vec2};
-use geograd_tests::list::drawn;
+use geograd_tests::list::share_of;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -124,7 +124,7 @@ impl Number for f64 {
 fn every_straight_line_has_its_bits_in_c() {
     let mut folder = Folder::new("rows_of_c");
     // Compilers take most of the time.
-    for row in drawn(straight(), 12) {
+    for row in share_of(straight(), 12) {
         for case in cases::<f64>(row) {
             folder.add_case(&case);
         }
@@ -132,7 +132,7 @@ fn every_straight_line_has_its_bits_in_c() {
             folder.add_case(&case);
         }
     }
-    for row in drawn(searches(), 24) {
+    for row in share_of(searches(), 24) {
         for case in replays::<f64>(row).iter().take(1) {
             folder.add_case(case);
         }
@@ -221,7 +221,7 @@ fn a_function_has_what_it_needs_and_no_more() {
 /// The kernel of CUDA, compiled as C++ with a grid of one processor that runs thread after thread.
 #[test]
 fn kernels_of_cuda_have_the_bits_on_a_grid_of_one_processor() {
-    let rows = drawn(straight(), 24);
+    let rows = share_of(straight(), 24);
     let mut all = dynamic_cases::<f64>(&rows);
     all.extend(dynamic_cases::<f32>(&rows));
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("kernels_of_cuda");

@@ -164,13 +164,13 @@ fn drawn<T: Real>(operation: &Operation, seed: u64) -> Lists<T> {
 }
 
 fn rows_agree<T: Real + Into<f64>>() {
-    let mut bounded: Vec<&Operation> = dynamic::operations().iter().collect();
-    bounded.retain(|operation| operation.lower != LowerBound::Unknown);
+    let bounded = dynamic::operations()
+        .iter()
+        .filter(|operation| operation.lower != LowerBound::Unknown)
+        .filter_map(|operation| Some((operation, operation.value::<T>()?)));
+    let bounded: Vec<_> = bounded.collect();
     assert!(bounded.len() > 100, "{}", bounded.len());
-    for operation in list::drawn(bounded, 3) {
-        let Some(of) = operation.value::<T>() else {
-            continue;
-        };
+    for (operation, of) in list::share_of(bounded, 3) {
         for seed in [1, 2] {
             let lists = drawn::<T>(operation, seed);
             // A drawn number may be invalid in the narrower format.

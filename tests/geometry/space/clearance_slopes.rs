@@ -89,10 +89,10 @@ macro_rules! pairs {
 }
 pairs! {
     slopes_of_points_and_boxes: 60, point Vec3<_>, obb3 Obb3<_>;
-    slopes_of_boxes: 20, obb3 Obb3<_>, obb3 Obb3<_>;
-    slopes_of_capsules_and_boxes: 24, capsule Capsule3<_>, obb3 Obb3<_>;
-    slopes_of_hulls: 14, hull Hull3<_, 8>, hull Hull3<_, 8>;
-    slopes_of_boxes_and_hulls: 12, obb3 Obb3<_>, hull Hull3<_, 8>;
+    slopes_of_boxes: 60, obb3 Obb3<_>, obb3 Obb3<_>;
+    slopes_of_capsules_and_boxes: 60, capsule Capsule3<_>, obb3 Obb3<_>;
+    slopes_of_hulls: 40, hull Hull3<_, 8>, hull Hull3<_, 8>;
+    slopes_of_boxes_and_hulls: 40, obb3 Obb3<_>, hull Hull3<_, 8>;
     slopes_of_boxes_and_cylinders: 8, obb3 Obb3<_>, cylinder Cylinder<_>;
     slopes_of_ellipsoids: 4, ellipsoid Ellipsoid<_>, ellipsoid Ellipsoid<_>;
 }

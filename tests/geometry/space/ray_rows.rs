@@ -7,7 +7,7 @@ use geograd::intersection3::{
 };
 use geograd::prelude::*;
 
-const ITEMS: usize = 800;
+const ITEMS: usize = 2000;
 
 /// Results of a batch next to those of single calls. What is printed tells zeros of either sign apart.
 macro_rules! same {
