@@ -36,7 +36,7 @@ pub fn rows() -> Vec<&'static Tested> {
 }
 
 /// Rows that a slow test judges, of these: one of every verb that is not costly, rows that are wanted always, and a share
-/// that the variable `GEOGRAD_SHARE` selects, such as the name of a commit; with that one of every second verb. All of
+/// that the variable `GEOGRAD_SHARE` selects, such as the name of a commit; with that one of every third verb. All of
 /// them with `GEOGRAD_ALL_ROWS=1`, or if `GEOGRAD_OP` names some.
 ///
 /// A row is selected by its name, so that a new one changes nothing but its own verb's.
@@ -142,8 +142,8 @@ pub const COMPILED: [&str; 18] = [
 ];
 
 /// A share is one row of so many, and one verb's own row of so many.
-const SHARE: u64 = 24;
-const VERBS_SHARE: u64 = 2;
+const SHARE: u64 = 36;
+const VERBS_SHARE: u64 = 3;
 
 /// The rows that the harness checks.
 #[must_use]

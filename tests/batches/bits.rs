@@ -8,6 +8,7 @@ use geograd::kernels::reduce::Matrix;
 use geograd::{Aabb2, Aabb3, Obb2, Obb3, Pack, Rotation3, Scalar, Vec2, Vec3, YawBox3};
 use geograd_tests::calls::OfRings;
 use geograd_tests::calls::{self, Number, Pair, wide};
+use geograd_tests::list::share_of;
 use geograd_tests::rows::ring;
 use geograd_tests::{Dice, with_threads};
 use std::ops::Range;
@@ -476,7 +477,7 @@ const COMPILED: [Compiled; 13] = {
 
 #[test]
 fn anywhere_in_a_batch() {
-    for row in &COMPILED {
+    for row in share_of(COMPILED.iter().collect(), 3) {
         eprintln!("{}", row.name);
         row.positions[..row.formats()].iter().for_each(|run| run());
     }
@@ -484,7 +485,7 @@ fn anywhere_in_a_batch() {
 
 #[test]
 fn of_long_lists() {
-    for row in &COMPILED {
+    for row in share_of(COMPILED.iter().collect(), 3) {
         eprintln!("{}", row.name);
         row.scenes[..row.formats()].iter().for_each(|run| run());
     }

@@ -90,7 +90,7 @@ fn every_row_has_the_bits_of_rows() {
                 rows += 1;
             }
         }
-        assert!(rows <= 2 || rows > 30, "{rows} rows");
+        assert!(rows <= 2 || rows > 10, "{rows} rows");
     }
     of::<f32>();
     of::<f64>();
@@ -190,8 +190,10 @@ fn what_is_wrong_is_named() {
 fn calls_of_two_lists_have_the_bits_of_rows() {
     fn of<T: Real + Into<f64>>() {
         let mut rows = 0;
-        // Columns are read by one code for all: a few rows will do.
-        for row in list::rows().into_iter().step_by(27) {
+        // Columns are read by one code for all: a few rows that cost little will do.
+        let rows_of_all = list::rows().into_iter();
+        let cheap = rows_of_all.filter(|row| !row.operation.costly);
+        for row in cheap.step_by(27) {
             let Some(function) = row.operation.value::<T>() else {
                 continue;
             };
@@ -243,7 +245,7 @@ fn calls_of_two_lists_have_the_bits_of_rows() {
             }
             rows += 1;
         }
-        assert!(rows <= 1 || rows > 6, "{rows} rows");
+        assert!(rows <= 1 || rows > 3, "{rows} rows");
     }
     of::<f32>();
     of::<f64>();

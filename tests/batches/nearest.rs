@@ -170,7 +170,7 @@ fn rows_agree<T: Real + Into<f64>>() {
         .filter_map(|operation| Some((operation, operation.value::<T>()?)));
     let bounded: Vec<_> = bounded.collect();
     assert!(bounded.len() > 100, "{}", bounded.len());
-    for (operation, of) in list::share_of(bounded, 3) {
+    for (operation, of) in list::share_of(bounded, 12) {
         for seed in [1, 2] {
             let lists = drawn::<T>(operation, seed);
             // A drawn number may be invalid in the narrower format.

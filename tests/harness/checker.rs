@@ -232,6 +232,9 @@ fn line_distance_of_the_seed_library() {
 }
 #[test]
 fn boxes_without_the_heading() {
+    if !geograd_tests::is_due("boxes_without_the_heading") {
+        return;
+    }
     let wrong = |(a, b): (Obb2<f64>, Obb2<f64>)| {
         let (mut da, db) = ad::adjoint::overlap::iou_obb2_vjp(a, b, 1.0);
         da.heading = -db.heading;

@@ -5,6 +5,9 @@ use geograd::{Flaw, Validate};
 
 #[test]
 fn volumes_are_shares_of_the_bounds() {
+    if !geograd_tests::is_due("volumes_are_shares_of_the_bounds") {
+        return;
+    }
     let mut random = Random(11);
     let p = [
         Vec3::new(-0.3, 0.1, 0.2),
