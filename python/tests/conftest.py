@@ -11,20 +11,25 @@ from geograd import _core
 # A test with more cases than this runs a share of them for a commit.
 MANY = 24
 # One case of so many is in a share.
-TURN = 12
+TURN = 24
+# Slow tests of one file of so many run for a commit.
+SLOW = 4
 
 
 def pytest_collection_modifyitems(config, items):
-    """Selects a twelfth of the cases of tests with many, by the variable GEOGRAD_SHARE, such as a commit's name; all without it."""
+    """Selects a 24th of the cases of tests with many, and a fourth of the slow tests, by the variable GEOGRAD_SHARE, such as
+    a commit's name; all without it."""
     share = os.environ.get("GEOGRAD_SHARE")
     if not share or os.environ.get("GEOGRAD_ALL_ROWS") == "1":
         return
     tests = [item.nodeid.partition("[")[0] for item in items]
     cases = Counter(tests)
+    is_due = lambda name, turn: zlib.crc32(f"{share} {name}".encode()) % turn == 0
+    is_slow = lambda item: item.get_closest_marker("slow") is not None
     others = [
         item
         for item, test in zip(items, tests)
-        if cases[test] > MANY and zlib.crc32(f"{share} {item.nodeid}".encode()) % TURN
+        if (cases[test] > MANY and not is_due(item.nodeid, TURN)) or (is_slow(item) and not is_due(item.path.name, SLOW))
     ]
     config.hook.pytest_deselected(items=others)
     left = set(others)

@@ -183,6 +183,7 @@ def test_huge_broadcasts_are_refused():
         geograd.iou(a, b, kind="Obb2")
 
 
+@pytest.mark.slow
 def test_failing_calls_leak_nothing(boxes):
     a, b = boxes
     shape = geograd.Obb2(a)

@@ -27,6 +27,7 @@ def right(box: geograd.Obb2):
     return [0 * box.x, 0 * box.x, box.height, box.width, 0 * box.x]
 
 
+@pytest.mark.slow
 def test_callables():
     assert geograd.check(area, right, samples=30, quiet=True)
     wrong = lambda box: [0.0, 0.0, box.height, 1.01 * box.width, 0.0]

@@ -125,6 +125,7 @@ def test_geojson_overlap_agrees_with_shapely(tmp_path):
     assert is_picture(tmp_path / "overlaps.png")
 
 
+@pytest.mark.slow
 def test_train_head_learns(tmp_path):
     printed = run("train_head", "--steps", 40, "--batch", 32, "--out", tmp_path)
     for name in ("GIoU", "ProbIoU"):
@@ -133,6 +134,7 @@ def test_train_head_learns(tmp_path):
     assert is_picture(tmp_path / "curves.png") and is_picture(tmp_path / "boxes.png")
 
 
+@pytest.mark.slow
 def test_the_harness_refuses_the_planted_faults():
     printed = run("planted_fault", "--samples", 15)
     assert "accepted the right gradient and refused the others" in printed

@@ -60,6 +60,7 @@ def test_a_verb_of_the_result_has_derivatives_by_both():
     assert np.array_equal(rows[2, 1], geograd.intersection.vjp(a, b, bar)[0]) and np.any(rows)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_buffers_under_jit(name):
     a, b = columns()

@@ -40,6 +40,7 @@ def close(found, known, dtype):
     np.testing.assert_allclose(found, known, **NEAR[dtype])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
 def test_values_and_derivatives_are_those_of_the_library(interpreted, dtype):
     # More items than a block, and a part of one.

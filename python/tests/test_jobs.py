@@ -92,6 +92,7 @@ def test_average_precision_by_ray_is_the_same(data, tmp_path):
     assert judged(tmp_path) == judged(data / "results")
 
 
+@pytest.mark.slow
 def test_a_killed_job_goes_on_where_it_stopped(data, tmp_path):
     folder = tmp_path / "data"
     run("dataset_ap", "--make", 40, "--frames", 60, "--data", folder, "--out", tmp_path / "whole")
@@ -212,6 +213,7 @@ def overlaps(folder):
     return parquet.read_table(folder / "overlaps.parquet")
 
 
+@pytest.mark.slow
 def test_overlaps_of_two_maps_are_those_of_geopandas(tmp_path):
     pytest.importorskip("geopandas")
     printed = run("map_overlay", *MAP, "--out", tmp_path / "a", "--check")

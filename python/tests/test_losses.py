@@ -69,6 +69,7 @@ print("done")
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("way", ["loss", "pickled", "verb"])
 def test_a_graph_without_breaks_needs_no_call_before(way):
     import pickle

@@ -41,6 +41,7 @@ def test_no_stand_in_is_imported_with_the_package():
     assert done.stdout.strip() == "[]"
 
 
+@pytest.mark.slow
 def test_types_are_strict():
     pytest.importorskip("mypy", reason="mypy is not installed: types are not checked")
     modules = [part for name in OWN for part in ("-m", f"geograd.{name}")]

@@ -208,6 +208,7 @@ def test_formats_promote():
     assert iou(a.float(), b).dtype == torch.float64
 
 
+@pytest.mark.slow
 def test_the_harness_on_autograd():
     torch.manual_seed(1)
     x, y = torch.tensor(A[0]), torch.tensor(B[0])

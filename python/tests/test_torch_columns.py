@@ -135,6 +135,7 @@ def test_what_has_no_second_derivatives_says_so():
         first.sum().backward()
 
 
+@pytest.mark.slow
 def test_third_derivatives_are_those_of_differences():
     a, b = columns()
 
@@ -217,6 +218,7 @@ def test_refusals():
         Rings(torch.zeros(4, 2, dtype=torch.bfloat16), [0, 4])
 
 
+@pytest.mark.slow
 def test_all_pairs_of_columns():
     dice = np.random.default_rng(9)
     a, b = (own.detach() for own in columns())

@@ -21,7 +21,7 @@ STUBS = sorted(map(str, (PACKAGE / "geograd").glob("*.pyi")))
 MISTAKES = [i for i, line in enumerate((FOLDER / "mistakes.py").read_text().splitlines(), 1) if line.endswith("# mistake")]
 
 needs = [pytest.mark.skipif(importlib.util.find_spec(name) is None, reason=f"{name} is missing") for name in ("torch", "jax")]
-pytestmark = needs
+pytestmark = [*needs, pytest.mark.slow]
 
 
 @functools.lru_cache(maxsize=None)
