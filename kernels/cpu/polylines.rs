@@ -1,31 +1,19 @@
 //! Lengths of polylines: the distances of neighbouring vertices in vectors, and their sums in order.
 use crate::kernels::cpu::formats::kernels_in;
-use crate::kernels::cpu::ragged::cuts;
-use crate::kernels::cpu::work::in_parallel;
+use crate::kernels::cpu::ragged::each_piece;
 use crate::kernels::row::item::rows::numbers;
 use crate::{Real, Vec2};
-use std::sync::atomic::{AtomicBool, Ordering};
 
-/// The number of distances that wait to be summed, few enough for the innermost cache.
-const ROOM: usize = 1024;
+/// The number of distances that wait to be summed: to clear the room for them takes as long as sixteen distances.
+const ROOM: usize = 256;
 
 /// Writes the length of every polyline, with the bits of the fold over its edges. Returns `false` if a vertex is not
 /// finite. Offsets were checked.
 pub(crate) fn lengths<T: Real>(vertices: &[Vec2<T>], offsets: &[usize], out: &mut [T]) -> bool {
-    let (mut rest, mut work) = (out, Vec::new());
-    for cut in cuts(offsets).windows(2) {
-        let (values, after) = rest.split_at_mut(cut[1] - cut[0]);
-        rest = after;
-        work.push((&offsets[cut[0]..=cut[1]], values));
-    }
-    let sound = AtomicBool::new(true);
-    in_parallel(work, |(offsets, values): (&[usize], &mut [T])| {
+    each_piece(offsets, out, 1, |offsets, values| {
         let own = offsets[0]..offsets[values.len()];
-        if !sum_up(&numbers(&vertices[own]), offsets, values) {
-            sound.store(false, Ordering::Relaxed);
-        }
-    });
-    sound.into_inner()
+        sum_up(&numbers(&vertices[own]), offsets, values)
+    })
 }
 
 /// Writes the sums of the distances within each polyline. `vertices` has the numbers of these polylines alone. Returns

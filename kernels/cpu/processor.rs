@@ -145,8 +145,7 @@ impl<T: Real> Engine<T> for Processor {
             let ends = [0, input.plane.len()];
             return measured(measure, input.plane, input.spans.offsets(&ends), out);
         }
-        out.copy_from_slice(&folds::values(folding, input)?);
-        Ok(())
+        folds::values(folding, input, out)
     }
 
     fn fold_back(

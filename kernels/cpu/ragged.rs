@@ -19,24 +19,42 @@ pub(crate) fn measured<T: Real>(
     offsets: &[usize],
     out: &mut [T],
 ) -> Result<(), Error> {
-    let mut rest = out;
-    let mut work = Vec::new();
-    for cut in cuts(offsets).windows(2) {
-        let (values, after) = rest.split_at_mut((cut[1] - cut[0]) * measure.fields());
-        rest = after;
-        work.push((&offsets[cut[0]..=cut[1]], values));
-    }
     // Vertices are tested while they are in the cache.
-    let sound = AtomicBool::new(true);
-    in_parallel(work, |(offsets, values): (&[usize], &mut [T])| {
-        if !(kernels_in::<T>().ring_values)(measure, vertices, offsets, values) {
-            sound.store(false, Ordering::Relaxed);
-        }
-    });
-    match sound.into_inner() {
+    let measured = |offsets: &[usize], values: &mut [T]| {
+        (kernels_in::<T>().ring_values)(measure, vertices, offsets, values)
+    };
+    match each_piece(offsets, out, measure.fields(), measured) {
         true => Ok(()),
         false => check_vertices(vertices),
     }
+}
+
+/// Runs a function on every piece of a ragged batch and its results, of `fields` numbers for each path. Returns `false`
+/// if one of the calls does.
+pub(crate) fn each_piece<T: Real>(
+    offsets: &[usize],
+    out: &mut [T],
+    fields: usize,
+    run: impl Fn(&[usize], &mut [T]) -> bool + Sync + Send,
+) -> bool {
+    let paths = offsets.len() - 1;
+    if paths <= STRETCH && offsets[paths] - offsets[0] <= STRETCH {
+        // A list of one piece would take as long as its few paths.
+        return run(offsets, out);
+    }
+    let (mut rest, mut work) = (out, Vec::new());
+    for cut in cuts(offsets).windows(2) {
+        let (values, after) = rest.split_at_mut((cut[1] - cut[0]) * fields);
+        rest = after;
+        work.push((&offsets[cut[0]..=cut[1]], values));
+    }
+    let sound = AtomicBool::new(true);
+    in_parallel(work, |(offsets, values): (&[usize], &mut [T])| {
+        if !run(offsets, values) {
+            sound.store(false, Ordering::Relaxed);
+        }
+    });
+    sound.into_inner()
 }
 
 /// Writes the cotangents of vertices from the results' cotangents. Offsets were checked.

@@ -10,7 +10,7 @@ use crate::kernels::machine::{Column, Columns};
 use crate::kernels::row::fold::Fold;
 use crate::kernels::row::item::counts::expect;
 use crate::kernels::row::item::memory::seen_as;
-use crate::kernels::row::item::rows::numbers;
+use crate::kernels::row::item::rows::into_numbers;
 use crate::kernels::row::item::{Item, Leaf};
 use crate::{Fixed, Real};
 use std::borrow::Cow;
@@ -97,7 +97,7 @@ macro_rules! fold_in {
                 let contexts = Contexts::<F::Context<$format>>::new(rows);
                 let vertices = loaded::<F::Element<$format>>(vertices);
                 let values = $machine.fold(F::default(), contexts, &vertices, offsets)?;
-                Ok(numbers(&values).into_owned())
+                Ok(into_numbers(values))
             },
             derivatives: |$backend, rows, vertices, offsets, upstream| {
                 let contexts = Contexts::<F::Context<$format>>::new(rows);
@@ -105,17 +105,14 @@ macro_rules! fold_in {
                 let vertices = loaded::<F::Element<$format>>(vertices);
                 let (contexts, vertices) =
                     $machine.fold_vjp(F::default(), contexts, &vertices, offsets, &upstream)?;
-                Ok((
-                    numbers(&contexts).into_owned(),
-                    numbers(&vertices).into_owned(),
-                ))
+                Ok((into_numbers(contexts), into_numbers(vertices)))
             },
             shared: Shared {
                 values: |$backend, rows, path| {
                     let contexts = Contexts::<F::Context<$format>>::new(rows);
                     let path = loaded::<F::Element<$format>>(path);
                     let values = $machine.fold_one(F::default(), contexts, &path)?;
-                    Ok(numbers(&values).into_owned())
+                    Ok(into_numbers(values))
                 },
                 derivatives: |$backend, rows, path, upstream| {
                     let contexts = Contexts::<F::Context<$format>>::new(rows);
@@ -123,10 +120,7 @@ macro_rules! fold_in {
                     let path = loaded::<F::Element<$format>>(path);
                     let (contexts, vertices) =
                         $machine.fold_one_vjp(F::default(), contexts, &path, &upstream)?;
-                    Ok((
-                        numbers(&contexts).into_owned(),
-                        numbers(&vertices).into_owned(),
-                    ))
+                    Ok((into_numbers(contexts), into_numbers(vertices)))
                 },
             },
             vertex: F::Element::<$format>::LEN,

@@ -429,15 +429,17 @@ pub fn offsets(py: Python<'_>, x: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec
         Ok(whole) if whole.is_c_contiguous() => whole.clone(),
         _ => whole_numbers(py, x, name)?,
     };
-    let lent = LentNumbers::of(&whole, name)?;
-    let whole = lent.numbers()?;
-    if let Some(item) = whole.iter().position(|&x| x < 0) {
+    let whole = LentNumbers::of(&whole, name)?;
+    if let Some(item) = whole.numbers()?.iter().position(|&x| x < 0) {
         return Err(PyValueError::new_err(format!(
             "{name}: offset {item} is negative"
         )));
     }
     // None is negative, and no address has more bits than a pointer.
-    Ok(whole.iter().map(|&x| x as usize).collect())
+    Ok(match whole {
+        LentNumbers::Copied(numbers) => numbers.into_iter().map(|x| x as usize).collect(),
+        LentNumbers::Borrowed(_) => whole.numbers()?.iter().map(|&x| x as usize).collect(),
+    })
 }
 
 /// Returns whole numbers as an array without gaps.

@@ -23,25 +23,28 @@ use paths::{first_flaw, paths, told};
 use point_values::point_values;
 use std::ops::Range;
 
-/// Returns the numbers of the result of every path.
-pub fn values<T: Real>(folding: &Folding<T>, input: &Input<'_, T>) -> Result<Vec<T>, Error> {
+/// Writes the numbers of the result of every path.
+pub fn values<T: Real>(
+    folding: &Folding<T>,
+    input: &Input<'_, T>,
+    out: &mut [T],
+) -> Result<(), Error> {
     if folding.sizes.is_length {
         check_spans(input)?;
         let ends = [0, input.plane.len()];
-        let mut out = vec![T::default(); input.spans.count()];
-        return match lengths(input.plane, input.spans.offsets(&ends), &mut out) {
-            true => Ok(out),
+        return match lengths(input.plane, input.spans.offsets(&ends), out) {
+            true => Ok(()),
             false => Err(first_flaw(folding, &input.vertices)),
         };
     }
     check(folding, input)?;
     let (sizes, programs) = (&folding.sizes, (folding.programs)()?);
     if sizes.winding.is_some() {
-        return point_values(folding, &programs, input);
+        out.copy_from_slice(&point_values(folding, &programs, input)?);
+        return Ok(());
     }
     let paths = paths(folding, input)?;
     let states = states(sizes, &programs, &paths)?;
-    let mut out = vec![T::default(); input.spans.count() * sizes.out];
     let work = out
         .chunks_mut(STRETCH * sizes.out.max(1))
         .enumerate()
@@ -49,7 +52,7 @@ pub fn values<T: Real>(folding: &Folding<T>, input: &Input<'_, T>) -> Result<Vec
     in_parallel(work, |(i, out): (usize, &mut [T])| {
         finished(folding, &paths, &states, i * STRETCH, out);
     });
-    Ok(out)
+    Ok(())
 }
 
 /// Returns the cotangents of every context and every vertex from the results' cotangents.

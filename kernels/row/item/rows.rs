@@ -3,6 +3,7 @@ use super::layout::{Single, get, put, width};
 use super::memory;
 use crate::error::Error;
 use crate::{Fixed, Real};
+use std::any::Any;
 use std::borrow::Cow;
 
 /// Returns the numbers of shapes, one shape after another: in place if possible, else copied.
@@ -20,6 +21,16 @@ pub(crate) fn numbers<T: Real, P: Fixed<Scalar = T>>(shapes: &[P]) -> Cow<'_, [T
             }
             Cow::Owned(rows)
         }
+    }
+}
+
+/// Returns the numbers of a list of shapes; the list itself if its items are numbers.
+pub(crate) fn into_numbers<T: Real, P: Fixed<Scalar = T>>(shapes: Vec<P>) -> Vec<T> {
+    let mut shapes = Some(shapes);
+    let own: &mut dyn Any = &mut shapes;
+    match own.downcast_mut::<Option<Vec<T>>>().and_then(Option::take) {
+        Some(numbers) => numbers,
+        None => numbers(&shapes.unwrap_or_default()).into_owned(),
     }
 }
 
