@@ -126,15 +126,16 @@ impl<'a, T> BoundCode<'a, T> {
         self.lent = self.lent.min(numbers.len());
         self.table[self.native.inputs + k] = numbers.as_mut_ptr();
     }
-    /// Executes a run on `width` lanes of every slot.
+    /// Executes a run on the vectors of `items` items, in `width` lanes of every slot.
     #[inline]
-    pub(crate) fn run(&self, run: &CodeRun, width: usize) {
+    pub(crate) fn run(&self, run: &CodeRun, width: usize, items: usize) {
         // The lanes and the borrowed numbers must have that many vectors, or the code would write beyond them.
         let fits = (1..=self.native.stride).contains(&width) && width * TILE <= self.lent;
         if !fits {
             return;
         }
-        let bytes = width * size_of::<Lane<T>>();
+        // The code computes one vector at least, and none that begins at this byte or later.
+        let bytes = size_of::<T>() * items.min(width * TILE);
         let first = self.lanes.as_ptr().cast::<u8>().cast_mut();
         // Sound: the module says why. Cells may be written through a shared reference.
         unsafe {

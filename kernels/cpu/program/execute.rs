@@ -19,12 +19,13 @@ pub(crate) const STRIP: usize = 2;
 pub(super) type Strip<T> = [Cell<Lane<T>>; STRIP];
 
 /// The memory of a block: slots begin every `stride` lanes, and `width` lanes of each, a multiple of [`STRIP`], are in
-/// use.
+/// use, for `items` items. Machine code leaves the numbers of further items as they were.
 #[derive(Clone, Copy)]
 pub(crate) struct Memory<'a, T> {
     pub(super) lanes: &'a [Cell<Lane<T>>],
     pub(super) width: usize,
     pub(super) stride: usize,
+    pub(super) items: usize,
 }
 
 impl<'a, T> Memory<'a, T> {
@@ -254,6 +255,7 @@ pub(crate) fn interpret<T: Real, V: Vector<T>>(
         lanes: pass.lanes,
         width: pass.tiles.next_multiple_of(STRIP),
         stride: pass.stride,
+        items: pass.tiles * TILE,
     };
     let mut places = tape.inputs.iter();
     for (argument, &fields) in pass.inputs.iter().zip(pass.fields) {
@@ -309,7 +311,7 @@ pub(crate) fn carry_out<T: Real, V: Vector<T>>(
         {
             // A jump may have skipped the run.
             if run.from == next {
-                native.run(run, memory.width);
+                native.run(run, memory.width, memory.items);
                 next = run.to;
             }
             runs = others;
