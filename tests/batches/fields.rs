@@ -245,7 +245,7 @@ fn calls_of_two_lists_have_the_bits_of_rows() {
             }
             rows += 1;
         }
-        assert!(rows <= 1 || rows > 3, "{rows} rows");
+        assert!(rows <= 1 || rows > 6, "{rows} rows");
     }
     of::<f32>();
     of::<f64>();

@@ -76,9 +76,14 @@ impl Native {
     pub(crate) fn has_output(&self, k: usize) -> bool {
         self.has_input(self.inputs + k)
     }
-    /// Returns the code with the memory of its slots; `None` if the memory has another size than the code expects.
+    /// Returns the code with the memory of its slots, for so many items; `None` if the memory has another size than the
+    /// code expects.
     #[inline]
-    pub(crate) fn bind<'a, T>(&'a self, lanes: &'a [Cell<Lane<T>>]) -> Option<BoundCode<'a, T>> {
+    pub(crate) fn bind<'a, T>(
+        &'a self,
+        lanes: &'a [Cell<Lane<T>>],
+        items: usize,
+    ) -> Option<BoundCode<'a, T>> {
         if lanes.len() < self.lanes || self.number != size_of::<T>() {
             return None;
         }
@@ -91,6 +96,7 @@ impl Native {
         Some(BoundCode {
             native: self,
             lanes,
+            items,
             table,
             lent: usize::MAX,
             lender: PhantomData,
@@ -102,6 +108,8 @@ impl Native {
 pub(crate) struct BoundCode<'a, T> {
     native: &'a Native,
     lanes: &'a [Cell<Lane<T>>],
+    /// The number of items. The code leaves the numbers of further ones as they were.
+    items: usize,
     /// Addresses of inputs and results.
     table: [*mut T; MOST],
     /// The least length of a borrowed input or result.
@@ -126,16 +134,16 @@ impl<'a, T> BoundCode<'a, T> {
         self.lent = self.lent.min(numbers.len());
         self.table[self.native.inputs + k] = numbers.as_mut_ptr();
     }
-    /// Executes a run on the vectors of `items` items, in `width` lanes of every slot.
+    /// Executes a run on the vectors that hold items, in `width` lanes of every slot.
     #[inline]
-    pub(crate) fn run(&self, run: &CodeRun, width: usize, items: usize) {
+    pub(crate) fn run(&self, run: &CodeRun, width: usize) {
         // The lanes and the borrowed numbers must have that many vectors, or the code would write beyond them.
         let fits = (1..=self.native.stride).contains(&width) && width * TILE <= self.lent;
         if !fits {
             return;
         }
         // The code computes one vector at least, and none that begins at this byte or later.
-        let bytes = size_of::<T>() * items.min(width * TILE);
+        let bytes = size_of::<T>() * self.items.min(width * TILE);
         let first = self.lanes.as_ptr().cast::<u8>().cast_mut();
         // Sound: the module says why. Cells may be written through a shared reference.
         unsafe {

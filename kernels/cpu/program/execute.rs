@@ -19,13 +19,12 @@ pub(crate) const STRIP: usize = 2;
 pub(super) type Strip<T> = [Cell<Lane<T>>; STRIP];
 
 /// The memory of a block: slots begin every `stride` lanes, and `width` lanes of each, a multiple of [`STRIP`], are in
-/// use, for `items` items. Machine code leaves the numbers of further items as they were.
+/// use.
 #[derive(Clone, Copy)]
 pub(crate) struct Memory<'a, T> {
     pub(super) lanes: &'a [Cell<Lane<T>>],
     pub(super) width: usize,
     pub(super) stride: usize,
-    pub(super) items: usize,
 }
 
 impl<'a, T> Memory<'a, T> {
@@ -255,7 +254,6 @@ pub(crate) fn interpret<T: Real, V: Vector<T>>(
         lanes: pass.lanes,
         width: pass.tiles.next_multiple_of(STRIP),
         stride: pass.stride,
-        items: pass.tiles * TILE,
     };
     let mut places = tape.inputs.iter();
     for (argument, &fields) in pass.inputs.iter().zip(pass.fields) {
@@ -270,7 +268,9 @@ pub(crate) fn interpret<T: Real, V: Vector<T>>(
             }
         }
     }
-    let native = pass.native.and_then(|native| native.bind(pass.lanes));
+    let native = pass
+        .native
+        .and_then(|native| native.bind(pass.lanes, pass.tiles * TILE));
     (pass.carry_out)(&tape.code, memory, native.as_ref());
     let [by_tile, by_number] = pass.steps;
     for (k, &slot) in tape.outputs.iter().enumerate() {
@@ -311,7 +311,7 @@ pub(crate) fn carry_out<T: Real, V: Vector<T>>(
         {
             // A jump may have skipped the run.
             if run.from == next {
-                native.run(run, memory.width, memory.items);
+                native.run(run, memory.width);
                 next = run.to;
             }
             runs = others;

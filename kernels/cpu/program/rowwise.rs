@@ -59,9 +59,10 @@ pub(crate) fn over_rows<T: Real, V: Vector<T>>(
         lanes: part.lanes,
         width: tiles.next_multiple_of(STRIP),
         stride: part.stride,
-        items: part.items,
     };
-    let mut native = part.native.and_then(|native| native.bind(part.lanes));
+    let mut native = part
+        .native
+        .and_then(|native| native.bind(part.lanes, part.items));
     // Columns of numbers are read in place if they fill whole strips.
     let full = memory.width * TILE == part.items;
     let mut first = 0;
