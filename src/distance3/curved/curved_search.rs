@@ -9,7 +9,7 @@
 use super::super::gjk::{Gap, PointDifference, gap};
 use super::expand::exits;
 use super::level::shared;
-use super::piece::{PieceKind, Place};
+use super::piece::{Piece, PieceKind, Place};
 use super::solid_pair::{Found, Solids};
 use super::support::Supported;
 use super::touch::{FEW, MOST, System, Touch, tangents};
@@ -26,8 +26,48 @@ const SETTLED: f64 = 1e-9;
 const STEPS: usize = 12;
 /// The most pairs of pieces that are tried.
 const PAIRS: usize = 24;
+/// The cosine of an angle between axes that are nearly parallel.
+const PARALLEL: f64 = 0.8;
+/// By how much the best of them may be worse than a touch that is known, relative to the size.
+const NEARLY: f64 = 1e-3;
+/// How often the top of a parabola is taken.
+const TOPS: usize = 3;
+/// The number of directions around an axis that are tried.
+const AROUND: usize = 12;
 /// How often solids that overlap are parted.
 const PARTINGS: usize = 4;
+
+/// Returns the longest straight piece of a solid, or its rim, along an axis of length one.
+fn axis(solid: &dyn Supported) -> Option<Piece<f64>> {
+    let mut longest: Option<(f64, Piece<f64>)> = None;
+    for k in 0..solid.pieces() {
+        let mut piece = solid.piece(k, Vec3::new(0.0, 0.0, 1.0));
+        let length = match piece.kind {
+            PieceKind::Line | PieceKind::Side => piece.along.length(),
+            PieceKind::Rim | PieceKind::Ball => f64::MIN_POSITIVE,
+            _ => continue,
+        };
+        if longest.as_ref().is_some_and(|longest| length <= longest.0) || length == 0.0 {
+            continue;
+        }
+        match piece.kind {
+            PieceKind::Rim => piece.along = piece.ways[0].cross(piece.ways[1]),
+            PieceKind::Ball => {
+                // Across the two half extents that are the most alike.
+                let [x, y, z] = piece.sizes;
+                let apart = [(y - z).abs(), (z - x).abs(), (x - y).abs()];
+                let alike = (0..3).min_by(|&i, &j| apart[i].total_cmp(&apart[j]));
+                piece.along = piece.ways[alike.unwrap_or(0)];
+            }
+            _ => {
+                piece.along = piece.along * (1.0 / length);
+                piece.taper /= length;
+            }
+        }
+        longest = Some((length, piece));
+    }
+    longest.map(|longest| longest.1)
+}
 
 impl Solids<'_> {
     /// Returns the nearest points of a and b, moved, by a first vector that is not zero.
@@ -234,6 +274,55 @@ impl Solids<'_> {
             (best.0 > found.value + 10.0 * EXACT * self.size).then_some(best.1)
         })
     }
+    /// Returns a direction around the axis of either solid along which they part after a shorter way than at a touch, if
+    /// there is one. About axes that are nearly parallel all ways are as good but for the square of the angle, which the
+    /// expansion does not see.
+    fn around(&self, found: &Found) -> Option<Vec3<f64>> {
+        let mut best = (found.value + EXACT * self.size, None);
+        let (p, q) = (axis(self.a)?, axis(self.b)?);
+        if p.along.dot(q.along).abs() < PARALLEL {
+            return None;
+        }
+        for (piece, side) in [(p, 1.0), (q, -1.0)] {
+            let share = piece.along.dot(found.touch.normal);
+            let across = (found.touch.normal - piece.along * share).normalize_or_zero();
+            let beside = piece.along.cross(across);
+            // As steep as the touch, and orthogonal to the side.
+            for (share, out) in [
+                (share, (1.0 - share * share).sqrt()),
+                (-side * piece.taper, 1.0),
+            ] {
+                let turned = |angle: f64| {
+                    let (sin, cos) = angle.sin_cos();
+                    let normal = piece.along * share + (across * cos + beside * sin) * out;
+                    let normal = normal * (1.0 / normal.length());
+                    (self.value(normal), normal)
+                };
+                let first = std::f64::consts::TAU / AROUND as f64;
+                let values: [f64; AROUND] = std::array::from_fn(|k| turned(first * k as f64).0);
+                for k in 0..AROUND {
+                    let mut three = [AROUND - 1, 0, 1].map(|by| values[(k + by) % AROUND]);
+                    if three[1] < three[0].max(three[2]).max(best.0 - NEARLY * self.size) {
+                        continue;
+                    }
+                    let (mut angle, mut step) = (first * k as f64, first);
+                    for _ in 0..TOPS {
+                        // The top of the parabola through three values.
+                        let bend = three[0] + three[2] - three[1] - three[1];
+                        if bend < 0.0 {
+                            angle += step * (0.5 * (three[0] - three[2]) / bend).clamp(-1.0, 1.0);
+                        }
+                        step *= 0.1;
+                        three = [angle - step, angle, angle + step].map(|angle| turned(angle).0);
+                        if three[1] > best.0 {
+                            best = (three[1], Some(turned(angle).1));
+                        }
+                    }
+                }
+            }
+        }
+        best.1
+    }
     /// Returns the touch of solids that overlap, or nearly so, beginning with a normal.
     fn parted(&self, best: &mut Option<Found>, first: Vec3<f64>) {
         let (mut normal, mut value) = (first, self.value(first));
@@ -320,9 +409,11 @@ pub fn search(a: &dyn Supported, b: &dyn Supported) -> Option<Found> {
             }
         }
     }
-    for _ in 0..PARTINGS {
+    for _ in 0..2 * PARTINGS {
         let overlap = best.filter(|found| found.value <= 0.0);
-        let Some(better) = overlap.and_then(|found| solids.better(&found)) else {
+        let Some(better) =
+            overlap.and_then(|found| solids.better(&found).or_else(|| solids.around(&found)))
+        else {
             break;
         };
         let before = best;

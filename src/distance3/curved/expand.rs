@@ -27,7 +27,9 @@ const MOST: usize = 120;
 /// A thickness below which a polytope is flat, relative to its size.
 const FLAT: f64 = 1e-14;
 /// The most directions besides the best one.
-const OTHERS: usize = 6;
+const OTHERS: usize = 8;
+/// How many of them are those with the lowest bounds.
+const LOWEST: usize = 5;
 
 /// Lowest points, of which the best direction is kept.
 struct Probe<'a> {
@@ -204,19 +206,25 @@ pub fn exits(lowest: &dyn Fn(Vec3<f64>) -> PointDifference) -> Vec<Exit> {
         }
     }
     let mut exits = vec![probe.best];
+    faces.retain(|face| face.height < probe.best.depth && face.normal.length_squared() >= 0.5);
     faces.sort_by(|p, q| p.height.total_cmp(&q.height));
-    for face in faces
-        .iter()
-        .take_while(|face| face.height < probe.best.depth)
-    {
-        let normal = -face.normal;
-        let known = |exit: &Exit| exit.normal.dot(normal) > 0.97;
-        if normal.length_squared() < 0.5 || exits.iter().any(known) || exits.len() > OTHERS {
-            continue;
-        }
+    for count in 0..OTHERS {
+        // Directions all around may be as good to a part in 10⁵: the later ones are far from the others.
+        let beside = |face: &Face| {
+            let along = exits.iter().map(|exit| -exit.normal.dot(face.normal));
+            along.fold(-1.0, f64::max)
+        };
+        let new = faces.iter().filter(|face| beside(face) <= 0.97);
+        let next = match count < LOWEST {
+            true => new.into_iter().next(),
+            false => new.min_by(|p, q| beside(p).total_cmp(&beside(q))),
+        };
+        let Some(next) = next else {
+            break;
+        };
         exits.push(Exit {
-            normal,
-            depth: face.height,
+            normal: -next.normal,
+            depth: next.height,
         });
     }
     exits

@@ -423,3 +423,60 @@ fn the_shortest_way_out_is_taken_of_many_nearly_as_short() {
         assert!(found.iter().all(|&x| x > known - 1e-9), "{found:?} {known}");
     }
 }
+
+/// Bodies about nearly one axis have a ring of ways out, all as good but for the square of the angle between the axes. No
+/// order finds a shorter one than the other.
+#[test]
+fn bodies_about_nearly_one_axis_are_as_deep_in_either_order() {
+    fn agree<A: Body + Apart<B, Scalar = f64>, B: Body + Apart<A, Scalar = f64>>(
+        a: A,
+        b: B,
+        share: f64,
+    ) -> bool {
+        let (one, other) = (signed_distance(a, b), signed_distance(b, a));
+        let agree = (one - other).abs() <= share * (1.0 + one.abs());
+        if !agree {
+            eprintln!("{a:?} {b:?}: {one:e} {other:e}");
+        }
+        agree
+    }
+    let mut random = Random(0x9e37_79b9_7f4a_7c15);
+    let mut failed = 0;
+    for count in 0..300 {
+        let (at, first, aside) = (random.vector(1.0), random.vector(1.0), random.vector(1.0));
+        let (tilt, shift, share) = match count % 2 {
+            0 => (1e-2, Vec3::zero(), 1e-11),
+            // Rims that touch almost all around: ways are as good to 1e-9.
+            _ => (1e-3, random.vector(1e-5), 1e-8),
+        };
+        let second = first * random.within(0.5, 1.5) + aside * tilt;
+        let [r, s] = [0; 2].map(|_| random.within(0.2, 1.2));
+        let end = at + shift;
+        let can = |start, end, radius| Cylinder { start, end, radius };
+        let cone = |apex, base, radius| Cone { apex, base, radius };
+        let (a, b) = (can(at + first, at, r), can(end + second, end, s));
+        let (p, q) = (cone(at + first, at, r), cone(end + second, end, s));
+        let thin = Capsule3::new(at + first, at, 0.3 * r);
+        failed += [
+            agree(a, b, share),
+            agree(p, q, share),
+            agree(a, q, share),
+            agree(thin, b, share),
+        ]
+        .iter()
+        .filter(|&&agree| !agree)
+        .count();
+    }
+    assert_eq!(failed, 0);
+    // With one end in common, found by fuzzing.
+    let can = |x: f64, z: f64, radius: f64| Cylinder {
+        start: Vec3::new(x, 0.0, z),
+        end: Vec3::new(1.2686, 0.0, -1.742371580348845),
+        radius,
+    };
+    let a = can(5.21540641784668, 5.21540641784668, 3.1669);
+    let b = can(8.28979977995914, 11.50183379650116, 3.17);
+    for found in [signed_distance(a, b), signed_distance(b, a)] {
+        assert!((found + 6.335610119976971).abs() <= 1e-13, "{found}");
+    }
+}
