@@ -14,7 +14,7 @@ use super::solid_pair::{Found, Solids};
 use super::support::Supported;
 use super::touch::{FEW, MOST, System, Touch, tangents};
 use super::touching::{Candidate, candidates};
-use crate::Vec3;
+use crate::{Scalar, Vec3};
 
 /// The error up to which a touch is exact, relative to the size.
 const EXACT: f64 = 1e-13;
@@ -293,7 +293,7 @@ impl Solids<'_> {
                 (-side * piece.taper, 1.0),
             ] {
                 let turned = |angle: f64| {
-                    let (sin, cos) = angle.sin_cos();
+                    let (sin, cos) = Scalar::sin_cos(angle);
                     let normal = piece.along * share + (across * cos + beside * sin) * out;
                     let normal = normal * (1.0 / normal.length());
                     (self.value(normal), normal)
