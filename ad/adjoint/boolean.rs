@@ -122,6 +122,7 @@ pub fn valid_vjp<'a, S: Scalar>(
     let mut bars = Bars::new([a.into(), b.into()], [a_bar, b_bar]);
     for (made, &bar) in trace.made.iter().zip(out_bar) {
         match made {
+            ValidOrigin::One(origin) => bars.add_mean(std::slice::from_ref(origin), bar),
             ValidOrigin::Of(origins) => bars.add_mean(origins, bar),
             &ValidOrigin::Along(edge, share) => {
                 let (_, end) = input_edge(bars.inputs, edge);

@@ -1,7 +1,8 @@
 //! Offsets of polygons and polylines, item by item, on all cores.
 use crate::polygon_calls::{fill, in_format, in_runs};
-use crate::polygons::{Format, Layout, Polygons, Vertices, is_ring, rows, vectors};
+use crate::polygons::{Format, Polygons, Vertices, rows, vectors};
 use crate::raised;
+use crate::results::{Records, Results};
 use geograd::ad::adjoint::offset::{offset_vjp, valid_offset_vjp};
 use geograd::offset::{
     Chords, End, Join, OffsetStyle, OffsetTrace, ValidOffsetTrace, offset_replay, offset_search,
@@ -13,7 +14,6 @@ use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::ops::Range;
-use std::sync::Arc;
 
 type Object<'py> = Bound<'py, PyAny>;
 
@@ -75,80 +75,44 @@ enum Trace {
     Valid(ValidOffsetTrace),
 }
 
-/// A result and its record.
-struct Item<T> {
-    vertices: Vec<Vec2<T>>,
-    layout: Layout,
-    trace: Trace,
-    /// The vertices of the record that the result has.
-    kept: Vec<Range<usize>>,
-}
-
-/// Adds a part without its rings of fewer than three distinct vertices, which have no area. `start` is the number of
-/// vertices of the record before it.
-fn add_part<'r, T: Format>(
-    (vertices, layout, kept): (&mut Vec<Vec2<T>>, &mut Layout, &mut Vec<Range<usize>>),
-    rings: impl Iterator<Item = &'r [Vec2<T>]>,
-    start: &mut usize,
-) {
-    let mut is_solid = true;
-    for (k, ring) in rings.enumerate() {
-        let is_kept = is_solid && is_ring(ring);
-        // The first ring bounds the part: without it there are no holes.
-        is_solid &= is_kept || k > 0;
-        if is_kept {
-            vertices.extend_from_slice(ring);
-            layout.add_ring(ring.len());
-            kept.push(*start..*start + ring.len());
+impl Trace {
+    fn vertex_count(&self) -> usize {
+        match self {
+            Trace::Plain(trace) => trace.vertex_count(),
+            Trace::Valid(trace) => trace.vertex_count(),
         }
-        *start += ring.len();
     }
-    layout.end_part();
 }
 
-impl<T: Format> Item<T> {
-    fn of(
-        rings: Rings<'_, T>,
-        d: T,
-        style: &OffsetStyle,
-        (is_path, is_valid): (bool, bool),
-    ) -> Result<Self, Error> {
-        let (mut vertices, mut layout, mut kept) = (Vec::new(), Layout::empty(), Vec::new());
-        let mut start = 0;
-        let trace = if is_valid {
-            let search = if is_path {
-                valid_path_offset_search::<T>
-            } else {
-                valid_offset_search::<T>
-            };
-            let trace = search(rings, d, style)?;
-            for part in &valid_offset_replay(rings, d, &trace) {
-                let made = (&mut vertices, &mut layout, &mut kept);
-                add_part(made, part.rings().iter(), &mut start);
-            }
-            Trace::Valid(trace)
+/// Adds the offset of an item.
+fn add<T: Format>(
+    all: &mut Results<T, Trace>,
+    rings: Rings<'_, T>,
+    d: T,
+    style: &OffsetStyle,
+    (is_path, is_valid): (bool, bool),
+) -> Result<(), Error> {
+    let trace = if is_valid {
+        let search = if is_path {
+            valid_path_offset_search::<T>
         } else {
-            let search = if is_path {
-                path_offset_search::<T>
-            } else {
-                offset_search::<T>
-            };
-            let trace = search(rings, d, style)?;
-            let shape = offset_replay(rings, d, &trace);
-            for part in trace.parts() {
-                let made = (&mut vertices, &mut layout, &mut kept);
-                add_part(made, part.map(|ring| shape.ring(ring)), &mut start);
-            }
-            Trace::Plain(trace)
+            valid_offset_search::<T>
         };
-        layout.end_polygon();
-        Ok(Item {
-            vertices,
-            layout,
-            trace,
-            kept,
-        })
-    }
+        let trace = search(rings, d, style)?;
+        all.add_valid(&valid_offset_replay(rings, d, &trace));
+        Trace::Valid(trace)
+    } else {
+        let search = if is_path {
+            path_offset_search::<T>
+        } else {
+            offset_search::<T>
+        };
+        let trace = search(rings, d, style)?;
+        all.add_plain(&offset_replay(rings, d, &trace), trace.parts());
+        Trace::Plain(trace)
+    };
+    all.end(trace);
+    Ok(())
 }
 
 /// The decisions of offsets of a column: the origin of every vertex of the results.
@@ -156,9 +120,7 @@ impl<T: Format> Item<T> {
 pub struct Buffer {
     source: Source,
     distances: Vec<f64>,
-    items: Vec<(Trace, Vec<Range<usize>>)>,
-    /// The number of vertices up to the start of each result, and of all.
-    firsts: Vec<usize>,
+    records: Records<Trace>,
     is_double: bool,
 }
 
@@ -199,9 +161,13 @@ fn style(
     })
 }
 
-/// Offsets of a column of polygons, or of paths given as vertices with the start of each: the results and the record of
-/// decisions.
+/// Offsets of a column of polygons, or of paths given as vertices with the start of each: the results and, if it is kept,
+/// the record of decisions.
 #[pyfunction]
+#[expect(
+    clippy::too_many_arguments,
+    reason = "a call from Python has no other form"
+)]
 pub fn polygon_buffer<'py>(
     py: Python<'py>,
     column: &Object<'py>,
@@ -210,12 +176,16 @@ pub fn polygon_buffer<'py>(
     look: (String, f64, String, u32, Option<f64>),
     rule: &str,
     is_valid: bool,
-) -> PyResult<(Polygons, Buffer)> {
+    is_kept: bool,
+) -> PyResult<(Polygons, Option<Buffer>)> {
     let (join, limit, end, chords, tolerance) = look;
     let style = style((&join, limit, &end), (chords, tolerance), rule)?;
     let source = Source::of(column, starts)?;
     let is_double = matches!(source.vertices(), Vertices::Double(_));
-    in_format!(is_double, made(py, source, distances, style, is_valid))
+    in_format!(
+        is_double,
+        made(py, source, distances, style, (is_valid, is_kept))
+    )
 }
 
 fn made<T: Format>(
@@ -223,8 +193,8 @@ fn made<T: Format>(
     source: Source,
     distances: Vec<f64>,
     style: OffsetStyle,
-    is_valid: bool,
-) -> PyResult<(Polygons, Buffer)> {
+    (is_valid, is_kept): (bool, bool),
+) -> PyResult<(Polygons, Option<Buffer>)> {
     let count = source.len();
     if distances.len() != count {
         return Err(PyValueError::new_err(format!(
@@ -236,33 +206,27 @@ fn made<T: Format>(
     let own = T::of(source.vertices());
     let work = 256 * own.len();
     let runs = in_runs(py, count, work, |run| {
-        let made = run.map(|i| {
-            let (all, ends) = source.item(i);
-            let rings = Rings::flat(&own[all], &ends);
-            let item = Item::<T>::of(rings, T::lit(distances[i]), &style, (is_path, is_valid));
-            item.map_err(|error| (i, error))
-        });
-        made.collect::<Result<Vec<_>, _>>()
-    })?;
-    let (mut vertices, mut layout) = (Vec::new(), Layout::empty());
-    let (mut items, mut firsts) = (Vec::with_capacity(count), vec![0]);
-    for run in runs {
-        for item in run.map_err(|(i, error)| raised(at(i, error)))? {
-            vertices.extend(item.vertices);
-            layout.add(&item.layout, 0);
-            items.push((item.trace, item.kept));
-            firsts.push(vertices.len());
+        let mut all = Results::new(is_kept);
+        for i in run {
+            let (vertices, ends) = source.item(i);
+            let rings = Rings::flat(&own[vertices], &ends);
+            let kind = (is_path, is_valid);
+            add::<T>(&mut all, rings, T::lit(distances[i]), &style, kind).map_err(|e| at(i, e))?;
         }
+        Ok(all)
+    })?;
+    let mut all = Results::new(is_kept);
+    for run in runs {
+        all.add(run.map_err(raised)?);
     }
     drop(own);
-    let made = Polygons::of(Arc::new(layout), T::kept(vertices));
-    let record = Buffer {
+    let (made, records) = all.column();
+    let record = records.map(|records| Buffer {
         source,
         distances,
-        items,
-        firsts,
+        records,
         is_double: T::IS_DOUBLE,
-    };
+    });
     Ok((made, record))
 }
 
@@ -292,7 +256,7 @@ fn pulled<'py, T: Format>(
     upstream: &Object<'py>,
 ) -> PyResult<Object<'py>> {
     let upstream = vectors::<T>(upstream)?;
-    let wanted = record.firsts.last().copied().unwrap_or(0);
+    let wanted = record.records.vertex_count();
     if upstream.len() != wanted {
         return Err(PyValueError::new_err(format!(
             "upstream: cotangents of {wanted} vertices are needed, not of {}",
@@ -300,21 +264,12 @@ fn pulled<'py, T: Format>(
         )));
     }
     let own = T::of(record.source.vertices());
-    let runs = in_runs(py, record.items.len(), 64 * own.len(), |run| {
+    let runs = in_runs(py, record.records.len(), 64 * own.len(), |run| {
         let (mut bars, mut by_distance) = (Vec::new(), Vec::new());
+        let mut out_bars = Vec::new();
         for i in run {
-            let (trace, kept) = &record.items[i];
-            let count = match trace {
-                Trace::Plain(trace) => trace.vertex_count(),
-                Trace::Valid(trace) => trace.vertex_count(),
-            };
-            let mut out_bars = vec![Vec2::zero(); count];
-            let mut given = &upstream[record.firsts[i]..record.firsts[i + 1]];
-            for range in kept {
-                let (these, others) = given.split_at(range.len());
-                out_bars[range.clone()].copy_from_slice(these);
-                given = others;
-            }
+            let records = &record.records;
+            let trace = records.bars(i, &upstream, Trace::vertex_count, &mut out_bars);
             let (all, ends) = record.source.item(i);
             let (rings, start) = (Rings::flat(&own[all.clone()], &ends), bars.len());
             bars.resize(start + all.len(), Vec2::zero());

@@ -31,6 +31,7 @@ mod points;
 mod polygon_calls;
 mod polygon_points;
 mod polygons;
+mod results;
 mod samples;
 mod separation;
 mod shapes;

@@ -1,7 +1,8 @@
 //! Boolean operations and Minkowski sums of polygons, item by item, on all cores.
 use crate::polygon_calls::{Bars, fill, in_format, in_runs, place, together};
-use crate::polygons::{Format, Layout, Polygons, is_ring, rows, vectors};
+use crate::polygons::{Format, Polygons, rows, vectors};
 use crate::raised;
+use crate::results::{Records, Results};
 use geograd::Error;
 use geograd::Vec2;
 use geograd::ad::adjoint::boolean::{overlay_vjp, valid_vjp};
@@ -14,11 +15,9 @@ use geograd::minkowski::{
     MinkowskiTrace, ValidMinkowskiTrace, minkowski_replay, minkowski_search, no_fit_search,
     valid_minkowski_replay, valid_minkowski_search, valid_no_fit_search,
 };
-use geograd::polygon::{Fill, Polygon, Rings};
+use geograd::polygon::{Fill, Rings};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use std::ops::Range;
-use std::sync::Arc;
 
 type Object<'py> = Bound<'py, PyAny>;
 
@@ -40,96 +39,55 @@ enum Operation {
     NoFit,
 }
 
-/// A result and its record.
-struct Item<T> {
-    vertices: Vec<Vec2<T>>,
-    layout: Layout,
-    trace: Trace,
-    /// The vertices of the record that the result has.
-    kept: Vec<Range<usize>>,
+impl Trace {
+    fn vertex_count(&self) -> usize {
+        match self {
+            Trace::Plain(trace) => trace.vertex_count(),
+            Trace::Valid(trace) => trace.vertex_count(),
+            Trace::Sum(trace) => trace.vertex_count(),
+            Trace::ValidSum(trace) => trace.vertex_count(),
+        }
+    }
 }
 
-impl<T: Format> Item<T> {
-    fn new(trace: Trace) -> Self {
-        Item {
-            vertices: Vec::new(),
-            layout: Layout::empty(),
-            trace,
-            kept: Vec::new(),
+/// Adds the result of two items.
+fn add<T: Format>(
+    all: &mut Results<T, Trace>,
+    [a, b]: [Rings<'_, T>; 2],
+    (operation, fill, is_valid): (Operation, Fill, bool),
+) -> Result<(), Error> {
+    let trace = match (operation, is_valid) {
+        (Operation::Boolean(operation), true) => {
+            let trace = valid_search(a, b, operation, fill)?;
+            all.add_valid(&valid_replay(a, b, &trace));
+            Trace::Valid(trace)
         }
-    }
-    /// Adds a part without its rings of fewer than three distinct vertices, which have no area. `start` is the number of
-    /// vertices of the record before it.
-    fn add_part<'r>(&mut self, rings: impl Iterator<Item = &'r [Vec2<T>]>, start: &mut usize) {
-        let mut is_solid = true;
-        for (k, ring) in rings.enumerate() {
-            let is_kept = is_solid && is_ring(ring);
-            // The first ring bounds the part: without it there are no holes.
-            is_solid &= is_kept || k > 0;
-            if is_kept {
-                self.vertices.extend_from_slice(ring);
-                self.layout.add_ring(ring.len());
-                self.kept.push(*start..*start + ring.len());
-            }
-            *start += ring.len();
+        (Operation::Boolean(operation), false) => {
+            let trace = overlay_search(a, b, operation, fill)?;
+            all.add_plain(&overlay_replay(a, b, &trace), trace.parts());
+            Trace::Plain(trace)
         }
-        self.layout.end_part();
-    }
-    /// Adds the parts of a valid result.
-    fn add_valid(&mut self, parts: &[Polygon<T>]) {
-        let mut start = 0;
-        for part in parts {
-            self.add_part(part.rings().iter(), &mut start);
+        (Operation::Sum | Operation::NoFit, true) => {
+            let search = match operation {
+                Operation::Sum => valid_minkowski_search::<T>,
+                _ => valid_no_fit_search::<T>,
+            };
+            let trace = search(a, b, fill)?;
+            all.add_valid(&valid_minkowski_replay(a, b, &trace));
+            Trace::ValidSum(trace)
         }
-    }
-    /// Adds the parts of a result, each by the numbers of its rings.
-    fn add_plain(&mut self, shape: &Polygon<T>, parts: impl Iterator<Item = Range<usize>>) {
-        let mut start = 0;
-        for part in parts {
-            self.add_part(part.map(|ring| shape.ring(ring)), &mut start);
+        (Operation::Sum | Operation::NoFit, false) => {
+            let search = match operation {
+                Operation::Sum => minkowski_search::<T>,
+                _ => no_fit_search::<T>,
+            };
+            let trace = search(a, b, fill)?;
+            all.add_plain(&minkowski_replay(a, b, &trace), trace.parts());
+            Trace::Sum(trace)
         }
-    }
-    fn of(
-        a: Rings<'_, T>,
-        b: Rings<'_, T>,
-        operation: Operation,
-        fill: Fill,
-        is_valid: bool,
-    ) -> Result<Self, Error> {
-        let mut made = Item::new(Trace::Plain(OverlayTrace::default()));
-        made.trace = match (operation, is_valid) {
-            (Operation::Boolean(operation), true) => {
-                let trace = valid_search(a, b, operation, fill)?;
-                made.add_valid(&valid_replay(a, b, &trace));
-                Trace::Valid(trace)
-            }
-            (Operation::Boolean(operation), false) => {
-                let trace = overlay_search(a, b, operation, fill)?;
-                made.add_plain(&overlay_replay(a, b, &trace), trace.parts());
-                Trace::Plain(trace)
-            }
-            (Operation::Sum | Operation::NoFit, true) => {
-                let search = match operation {
-                    Operation::Sum => valid_minkowski_search::<T>,
-                    _ => valid_no_fit_search::<T>,
-                };
-                let trace = search(a, b, fill)?;
-                made.add_valid(&valid_minkowski_replay(a, b, &trace));
-                Trace::ValidSum(trace)
-            }
-            (Operation::Sum | Operation::NoFit, false) => {
-                let search = match operation {
-                    Operation::Sum => minkowski_search::<T>,
-                    _ => no_fit_search::<T>,
-                };
-                let trace = search(a, b, fill)?;
-                made.add_plain(&minkowski_replay(a, b, &trace), trace.parts());
-                Trace::Sum(trace)
-            }
-        };
-        made.layout.end_polygon();
-        Ok(made)
-    }
+    };
+    all.end(trace);
+    Ok(())
 }
 
 /// The decisions of a boolean operation of two columns: the origin of every vertex of the results.
@@ -137,9 +95,7 @@ impl<T: Format> Item<T> {
 pub struct Overlay {
     a: Py<Polygons>,
     b: Py<Polygons>,
-    items: Vec<(Trace, Vec<Range<usize>>)>,
-    /// The number of vertices up to the start of each result, and of all.
-    firsts: Vec<usize>,
+    records: Records<Trace>,
     is_double: bool,
 }
 
@@ -159,7 +115,7 @@ fn operation(name: &str) -> PyResult<Operation> {
     })
 }
 
-/// A boolean operation of two columns: the results and the record of its decisions.
+/// A boolean operation of two columns: the results and, if it is kept, the record of its decisions.
 #[pyfunction]
 pub fn polygon_overlay(
     py: Python<'_>,
@@ -168,49 +124,45 @@ pub fn polygon_overlay(
     b: Bound<'_, Polygons>,
     rule: &str,
     is_valid: bool,
-) -> PyResult<(Polygons, Overlay)> {
+    is_kept: bool,
+) -> PyResult<(Polygons, Option<Overlay>)> {
     let rules = (operation(name)?, fill(rule)?, is_valid);
     let is_double = a.get().is_double() || b.get().is_double();
-    in_format!(is_double, overlaid(py, rules, a, b))
+    in_format!(is_double, overlaid(py, rules, is_kept, a, b))
 }
 
 fn overlaid<T: Format>(
     py: Python<'_>,
-    (operation, fill, is_valid): (Operation, Fill, bool),
+    rules: (Operation, Fill, bool),
+    is_kept: bool,
     a: Bound<'_, Polygons>,
     b: Bound<'_, Polygons>,
-) -> PyResult<(Polygons, Overlay)> {
+) -> PyResult<(Polygons, Option<Overlay>)> {
     let (own_a, own_b) = (a.get(), b.get());
     let (vertices_a, vertices_b) = (T::of(&own_a.vertices), T::of(&own_b.vertices));
     let (count_a, count_b) = (own_a.layout.len(), own_b.layout.len());
     let count = together(("a", count_a), ("b", count_b))?;
     let work = 64 * (vertices_a.len().max(count) + vertices_b.len().max(count));
     let runs = in_runs(py, count, work, |run| {
-        let made = run.map(|i| {
+        let mut all = Results::new(is_kept);
+        for i in run {
             let of_a = own_a.layout.item(&vertices_a, place(count_a, i));
             let of_b = own_b.layout.item(&vertices_b, place(count_b, i));
-            Item::<T>::of(of_a, of_b, operation, fill, is_valid)
-        });
-        made.collect::<Result<Vec<_>, Error>>()
-    })?;
-    let (mut vertices, mut layout) = (Vec::new(), Layout::empty());
-    let (mut items, mut firsts) = (Vec::with_capacity(count), vec![0]);
-    for run in runs {
-        for item in run.map_err(raised)? {
-            vertices.extend(item.vertices);
-            layout.add(&item.layout, 0);
-            items.push((item.trace, item.kept));
-            firsts.push(vertices.len());
+            add::<T>(&mut all, [of_a, of_b], rules)?;
         }
+        Ok(all)
+    })?;
+    let mut all = Results::new(is_kept);
+    for run in runs {
+        all.add(run.map_err(raised)?);
     }
-    let made = Polygons::of(Arc::new(layout), T::kept(vertices));
-    let record = Overlay {
+    let (made, records) = all.column();
+    let record = records.map(|records| Overlay {
         a: a.unbind(),
         b: b.unbind(),
-        items,
-        firsts,
+        records,
         is_double: T::IS_DOUBLE,
-    };
+    });
     Ok((made, record))
 }
 
@@ -228,7 +180,7 @@ fn pulled<'py, T: Format>(
     upstream: &Object<'py>,
 ) -> PyResult<Object<'py>> {
     let upstream = vectors::<T>(upstream)?;
-    let wanted = record.firsts.last().copied().unwrap_or(0);
+    let wanted = record.records.vertex_count();
     if upstream.len() != wanted {
         return Err(PyValueError::new_err(format!(
             "upstream: cotangents of {wanted} vertices are needed, not of {}",
@@ -239,25 +191,12 @@ fn pulled<'py, T: Format>(
     let (vertices_a, vertices_b) = (T::of(&a.vertices), T::of(&b.vertices));
     let (count_a, count_b) = (a.layout.len(), b.layout.len());
     let work = 8 * (vertices_a.len() + vertices_b.len());
-    let runs = in_runs(py, record.items.len(), work, |run| {
+    let runs = in_runs(py, record.records.len(), work, |run| {
         let (mut a_bars, mut b_bars) = (Bars::<T>::new(a, &run), Bars::<T>::new(b, &run));
         let mut bars = Vec::new();
         for i in run {
-            let (trace, kept) = &record.items[i];
-            let vertices = match trace {
-                Trace::Plain(trace) => trace.vertex_count(),
-                Trace::Valid(trace) => trace.vertex_count(),
-                Trace::Sum(trace) => trace.vertex_count(),
-                Trace::ValidSum(trace) => trace.vertex_count(),
-            };
-            bars.clear();
-            bars.resize(vertices, Vec2::zero());
-            let mut own = &upstream[record.firsts[i]..record.firsts[i + 1]];
-            for range in kept {
-                let (these, others) = own.split_at(range.len());
-                bars[range.clone()].copy_from_slice(these);
-                own = others;
-            }
+            let records = &record.records;
+            let trace = records.bars(i, &upstream, Trace::vertex_count, &mut bars);
             let (item_a, item_b) = (place(count_a, i), place(count_b, i));
             let of_a = a.layout.item(&vertices_a, item_a);
             let of_b = b.layout.item(&vertices_b, item_b);
@@ -295,7 +234,7 @@ pub fn polygon_union_all(
 
 fn united<T: Format>(py: Python<'_>, own: &Polygons, is_valid: bool) -> PyResult<Polygons> {
     let vertices = T::of(&own.vertices);
-    let item = py.detach(|| {
+    let made = py.detach(|| {
         let mut all = geograd::Polygon::new();
         for item in 0..own.layout.len() {
             let rings = own.layout.item(&vertices, item);
@@ -308,14 +247,13 @@ fn united<T: Format>(py: Python<'_>, own: &Polygons, is_valid: bool) -> PyResult
             }
         }
         let nothing = Rings::flat(&[], &[]);
-        Item::<T>::of(
-            all.rings(),
-            nothing,
+        let rules = (
             Operation::Boolean(BooleanOperation::Union),
             Fill::NonZero,
             is_valid,
-        )
+        );
+        let mut made = Results::new(false);
+        add::<T>(&mut made, [all.rings(), nothing], rules).map(|()| made.column().0)
     });
-    let item = item.map_err(raised)?;
-    Ok(Polygons::of(Arc::new(item.layout), T::kept(item.vertices)))
+    made.map_err(raised)
 }

@@ -1,7 +1,7 @@
 //! Inputs on a grid of whole numbers, edge by edge.
 use super::cut::Numbered;
-use super::snap::{Squares, crossing};
-use super::{EdgeId, Origin, Owner, VertexId};
+use super::snap::Squares;
+use super::{EdgeId, Owner, VertexId};
 use crate::error::{Argument, Error, Flaw, VertexFault};
 use crate::polygon::Rings;
 use crate::predicate::wide;
@@ -56,20 +56,23 @@ pub(super) enum Steps {
     Exact,
 }
 
+/// The steps of a grid for both inputs.
+pub(super) struct Scale {
+    axes: [Axis; 2],
+    /// Half a coordinate times this is from two to four where it is largest.
+    unit: f64,
+}
+
 /// The edges of both inputs on the grid, without those of length zero.
 pub(super) struct Grid {
     pub edges: Vec<Edge>,
-    /// Half a coordinate times this is from two to four where it is largest.
-    unit: f64,
+    scale: Scale,
     /// Every ring's vertices on the grid, of both inputs.
     places: [Vec<Vec<IntPoint<i64>>>; 2],
 }
 
-impl Grid {
-    pub fn new<S: Scalar<Mask = bool>>(
-        inputs: [Rings<'_, S>; 2],
-        steps: Steps,
-    ) -> Result<Self, Error> {
+impl Scale {
+    pub fn new<S: Scalar<Mask = bool>>(inputs: [Rings<'_, S>; 2], steps: Steps) -> Self {
         let vertices = inputs.iter().flat_map(|rings| rings.iter()).flatten();
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for &vertex in vertices {
@@ -90,22 +93,38 @@ impl Grid {
         } else {
             1.0
         };
+        Scale { axes, unit }
+    }
+    /// Returns the nearest point of the grid.
+    pub fn place<S: Scalar<Mask = bool>>(&self, vertex: Vec2<S>) -> IntPoint<i64> {
         let whole = |x: f64, axis: &Axis| {
-            let half = (x * 0.5 - axis.from * 0.5) * unit;
+            let half = (x * 0.5 - axis.from * 0.5) * self.unit;
             // Below four in size: at most 2⁶¹.
             (half * EXTENT).round() as i64
         };
-        let place = |vertex: Vec2<S>| {
-            let [x, y] = wide(vertex).unwrap_or([0.0; 2]);
-            IntPoint::new(whole(x, &axes[0]), whole(y, &axes[1]))
-        };
+        let [x, y] = wide(vertex).unwrap_or([0.0; 2]);
+        IntPoint::new(whole(x, &self.axes[0]), whole(y, &self.axes[1]))
+    }
+    /// Returns the coordinates of a point of the grid of [`squares`].
+    pub fn coordinates<S: Scalar>(&self, at: IntPoint<i64>) -> [f64; 2] {
+        let steps = EXTENT / (1_u64 << squares::<S>().bits) as f64;
+        [at.x, at.y].map(|x| x as f64 / steps / self.unit * 2.0)
+    }
+}
+
+impl Grid {
+    pub fn new<S: Scalar<Mask = bool>>(
+        inputs: [Rings<'_, S>; 2],
+        steps: Steps,
+    ) -> Result<Self, Error> {
+        let scale = Scale::new(inputs, steps);
         let places = inputs.map(|rings| {
-            let ring = |ring: &[Vec2<S>]| ring.iter().map(|&v| place(v)).collect();
+            let ring = |ring: &[Vec2<S>]| ring.iter().map(|&v| scale.place(v)).collect();
             rings.iter().map(ring).collect::<Vec<_>>()
         });
         let mut grid = Grid {
             edges: Vec::new(),
-            unit,
+            scale,
             places,
         };
         for (owner, rings) in [Owner::A, Owner::B].into_iter().zip(inputs) {
@@ -176,22 +195,9 @@ impl Grid {
         }
         pieces
     }
-    /// Returns the place of a vertex on the grid, or that of a crossing, rounded down; `None` where edges do not cross.
-    pub fn origin(&self, origin: Origin) -> Option<IntPoint<i64>> {
-        let ends = |id: EdgeId| {
-            let ring = &self.places[id.owner as usize][id.ring];
-            [ring[id.edge], ring[(id.edge + 1) % ring.len()]]
-        };
-        match origin {
-            Origin::Vertex(id) => Some(self.places[id.owner as usize][id.ring][id.vertex]),
-            Origin::Cross(a, b) => crossing(ends(a), ends(b)),
-            Origin::Foot { .. } => None,
-        }
-    }
     /// Returns the coordinates of a point of the grid of [`squares`].
     pub fn coordinates<S: Scalar>(&self, at: IntPoint<i64>) -> [f64; 2] {
-        let steps = EXTENT / (1_u64 << squares::<S>().bits) as f64;
-        [at.x, at.y].map(|x| x as f64 / steps / self.unit * 2.0)
+        self.scale.coordinates::<S>(at)
     }
     /// Returns `true` if two vertices are one, or are successive ones of a ring that coincide.
     pub fn is_joined(&self, a: VertexId, b: VertexId) -> bool {

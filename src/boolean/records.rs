@@ -116,7 +116,9 @@ pub struct IouTrace {
     expect(dead_code, reason = "a replay needs no feature, its record does")
 )]
 pub(crate) enum ValidOrigin {
-    /// The mean of some points.
+    /// A point.
+    One(Origin),
+    /// The mean of several points.
     Of(Vec<Origin>),
     /// A point at a fixed fraction of an edge.
     Along(EdgeId, f64),

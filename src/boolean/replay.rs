@@ -110,6 +110,7 @@ pub fn valid_replay<'a, S: Scalar>(
     let inputs = [a.into(), b.into()];
     let vertex = |k: usize| {
         let near = match &trace.made[k] {
+            &ValidOrigin::One(origin) => place(inputs, origin),
             ValidOrigin::Of(all) => mean(inputs, all),
             &ValidOrigin::Along(edge, share) => {
                 let [start, end] = input_edge(inputs, edge).0;

@@ -1,10 +1,11 @@
 //! Results that are valid by the OGC's rules.
 use super::corner::{Border, origins};
 use super::faces::{BorderPiece, is_straight, parts};
-use super::grid::{Grid, Steps, invalid, squares};
+use super::grid::{Scale, Steps, invalid, squares};
 use super::pieces::Pieces;
 use super::records::ValidOrigin;
-use super::walked::{Names, walked_parts};
+use super::snap::crossing;
+use super::walked::{Names, WalkedVertex, walked_parts};
 use super::{BooleanOperation, Owner, ValidTrace, valid_replay};
 use crate::Scalar;
 use crate::contain::Location;
@@ -79,7 +80,10 @@ pub fn valid_search<'a, S: Scalar<Mask = bool>>(
             if second != first {
                 first.extend(second);
             }
-            ValidOrigin::Of(first)
+            match first[..] {
+                [only] => ValidOrigin::One(only),
+                _ => ValidOrigin::Of(first),
+            }
         }
     };
     let mut trace = ValidTrace::default();
@@ -110,20 +114,29 @@ fn walked_valid<S: Scalar<Mask = bool>>(
     base: i32,
     is_inside: impl Fn(i32) -> bool,
 ) -> Option<ValidTrace> {
-    let grid = Grid::new(inputs, Steps::Exact).ok()?;
+    let scale = Scale::new(inputs, Steps::Exact);
     let squares = squares::<S>();
     let one = squares.center(IntPoint::new(1, 0));
-    let steps = 8.0 * grid.coordinates::<S>(squares.of(one))[0];
+    let steps = 8.0 * scale.coordinates::<S>(squares.of(one))[0];
     let parts = walked_parts(rings, steps, base, is_inside)?;
     let names = Names::new(rings, names);
-    let mut trace = ValidTrace::default();
+    let points: Vec<_> = rings.iter().flatten().map(|&v| scale.place(v)).collect();
+    let ends = |k: usize| [points[k], points[names.next(k)]];
+    let count = parts.iter().flatten().map(Vec::len).sum();
+    let mut trace = ValidTrace {
+        places: Vec::with_capacity(count),
+        made: Vec::with_capacity(count),
+        ..ValidTrace::default()
+    };
     for part in parts {
         for ring in part {
             for vertex in ring {
-                let origin = names.origin(vertex);
-                let at = squares.of(grid.origin(origin)?);
-                trace.places.push(grid.coordinates::<S>(at));
-                trace.made.push(ValidOrigin::Of(vec![origin]));
+                let at = match vertex {
+                    WalkedVertex::Own(k) => points[k],
+                    WalkedVertex::Cross(a, b) => crossing(ends(a), ends(b))?,
+                };
+                trace.places.push(scale.coordinates::<S>(squares.of(at)));
+                trace.made.push(ValidOrigin::One(names.origin(vertex)));
             }
             trace.rings.push(trace.places.len());
         }

@@ -307,6 +307,15 @@ impl Names {
         let start = if ring == 0 { 0 } else { self.ends[ring - 1] };
         (self.first + ring, number - start)
     }
+    /// Returns the number of the vertex after one of its ring.
+    pub fn next(&self, number: usize) -> usize {
+        let ring = self.ends.partition_point(|&end| end <= number);
+        match number + 1 < self.ends[ring] {
+            true => number + 1,
+            false if ring == 0 => 0,
+            false => self.ends[ring - 1],
+        }
+    }
     pub fn vertex(&self, number: usize) -> VertexId {
         let (ring, vertex) = self.place(number);
         VertexId {

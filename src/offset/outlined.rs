@@ -2,10 +2,10 @@
 use super::joins::{path_plan, polygon_plan};
 use super::laid::{Before, Laid};
 use super::raw::Plan;
-use super::{OffsetStyle, OffsetTrace, ValidOffsetTrace, offset_replay, valid_offset_replay};
+use super::{OffsetStyle, OffsetTrace, ValidOffsetTrace};
 use crate::boolean::{
-    BooleanOperation, Origin, OverlayTrace, ValidTrace, framed_search, overlay_search,
-    valid_framed_search, valid_search,
+    BooleanOperation, Origin, OverlayTrace, ValidTrace, framed_search, overlay_replay,
+    overlay_search, valid_framed_search, valid_replay, valid_search,
 };
 use crate::error::{Argument, Error, Field, Flaw, VertexFault};
 use crate::polygon::{self, Polygon, Rings};
@@ -111,12 +111,13 @@ pub(super) fn checked_distance<S: Scalar<Mask = bool>>(
     }
 }
 
+/// Returns the decisions up to the raw rings, and both inputs of the boolean operation that makes the result.
 fn laid<S: Scalar<Mask = bool>>(
     rings: Rings<'_, S>,
     d: S,
     style: &OffsetStyle,
     subject: Subject,
-) -> Result<Laid, Error> {
+) -> Result<(Laid, [Polygon<S>; 2]), Error> {
     style.validate()?;
     let distance = distance(d)?;
     let before = before(rings, style, subject)?;
@@ -134,22 +135,24 @@ fn laid<S: Scalar<Mask = bool>>(
         Subject::Paths if distance <= 0.0 => Plan::default(),
         Subject::Paths => path_plan(own, distance, style),
     };
-    let raw = laid.plan.raw(polygon.vertices(), d);
-    if !laid.inputs(&polygon, d)[usize::from(laid.plan.is_inward)]
-        .vertices()
-        .iter()
-        .all(|vertex| vertex.is_finite())
-    {
+    let made = laid.inputs(&polygon, d);
+    // A ring for each walk, after a frame where there is one.
+    let is_inward = laid.plan.is_inward;
+    let all = &made[usize::from(is_inward)];
+    if !all.vertices().iter().all(|vertex| vertex.is_finite()) {
         return Err(too_far());
     }
     // Walks whose rings round to less than three places enclose nothing.
-    let mut rings = raw.rings().iter();
-    laid.plan.walks.retain(|_| {
-        rings
-            .next()
-            .is_some_and(|ring| Rings::from(ring).validate().is_ok())
-    });
-    Ok(laid)
+    let is_ring = |ring| Rings::from(ring).validate().is_ok();
+    let rings = all.rings().iter().skip(usize::from(is_inward));
+    let kept: Vec<bool> = rings.map(is_ring).collect();
+    if kept.iter().filter(|&&kept| kept).count() < laid.plan.walks.len() {
+        let mut kept = kept.into_iter();
+        laid.plan.walks.retain(|_| kept.next().unwrap_or(false));
+        let made = laid.inputs(&polygon, d);
+        return Ok((laid, made));
+    }
+    Ok((laid, made))
 }
 
 fn searched<S: Scalar<Mask = bool>>(
@@ -157,18 +160,17 @@ fn searched<S: Scalar<Mask = bool>>(
     d: S,
     style: &OffsetStyle,
     subject: Subject,
-) -> Result<OffsetTrace, Error> {
-    let laid = laid(rings, d, style, subject)?;
+) -> Result<(OffsetTrace, [Polygon<S>; 2]), Error> {
+    let (laid, [a, b]) = laid(rings, d, style, subject)?;
     let mut result = OverlayTrace::default();
     if !laid.plan.walks.is_empty() {
-        let [a, b] = laid.inputs(&laid.polygon(rings), d);
         result = if laid.plan.is_inward {
             framed_search(a.rings(), b.rings())?
         } else {
             overlay_search(&a, &b, BooleanOperation::Union, polygon::Fill::NonZero)?
         };
     }
-    Ok(OffsetTrace { laid, result })
+    Ok((OffsetTrace { laid, result }, [a, b]))
 }
 
 fn valid_searched<S: Scalar<Mask = bool>>(
@@ -176,18 +178,38 @@ fn valid_searched<S: Scalar<Mask = bool>>(
     d: S,
     style: &OffsetStyle,
     subject: Subject,
-) -> Result<ValidOffsetTrace, Error> {
-    let laid = laid(rings, d, style, subject)?;
+) -> Result<(ValidOffsetTrace, [Polygon<S>; 2]), Error> {
+    let (laid, [a, b]) = laid(rings, d, style, subject)?;
     let mut result = ValidTrace::default();
     if !laid.plan.walks.is_empty() {
-        let [a, b] = laid.inputs(&laid.polygon(rings), d);
         result = if laid.plan.is_inward {
             valid_framed_search(a.rings(), b.rings())?
         } else {
             valid_search(&a, &b, BooleanOperation::Union, polygon::Fill::NonZero)?
         };
     }
-    Ok(ValidOffsetTrace { laid, result })
+    Ok((ValidOffsetTrace { laid, result }, [a, b]))
+}
+
+/// Returns the parts of an offset that are valid by the OGC's rules.
+fn valid_parts<S: Scalar<Mask = bool>>(
+    rings: Rings<'_, S>,
+    d: S,
+    style: &OffsetStyle,
+    subject: Subject,
+) -> Result<Vec<Polygon<S>>, Error> {
+    let (trace, [a, b]) = valid_searched(rings, d, style, subject)?;
+    Ok(valid_replay(&a, &b, &trace.result))
+}
+
+/// Returns an offset whose edges may cross by a rounding.
+fn outline<S: Scalar<Mask = bool>>(
+    rings: Rings<'_, S>,
+    d: S,
+    style: &OffsetStyle,
+) -> Result<Polygon<S>, Error> {
+    let (trace, [a, b]) = searched(rings, d, style, Subject::Polygon)?;
+    Ok(overlay_replay(&a, &b, &trace.result))
 }
 
 /// Returns the record of the offset of a polygon by a distance of either sign, in units of length. See the
@@ -203,7 +225,7 @@ pub fn offset_search<'a, S: Scalar<Mask = bool>>(
     d: S,
     style: &OffsetStyle,
 ) -> Result<OffsetTrace, Error> {
-    searched(rings.into(), d, style, Subject::Polygon)
+    searched(rings.into(), d, style, Subject::Polygon).map(|found| found.0)
 }
 
 /// Returns the record of the offset of open paths by a distance, in units of length: all that is nearer than it. It is
@@ -217,7 +239,7 @@ pub fn path_offset_search<'a, S: Scalar<Mask = bool>>(
     d: S,
     style: &OffsetStyle,
 ) -> Result<OffsetTrace, Error> {
-    searched(paths.into(), d, style, Subject::Paths)
+    searched(paths.into(), d, style, Subject::Paths).map(|found| found.0)
 }
 
 /// Returns the record of an [`offset`] of a polygon that is valid by the OGC's rules.
@@ -230,7 +252,7 @@ pub fn valid_offset_search<'a, S: Scalar<Mask = bool>>(
     d: S,
     style: &OffsetStyle,
 ) -> Result<ValidOffsetTrace, Error> {
-    valid_searched(rings.into(), d, style, Subject::Polygon)
+    valid_searched(rings.into(), d, style, Subject::Polygon).map(|found| found.0)
 }
 
 /// Returns the record of a [`path_offset`] that is valid by the OGC's rules.
@@ -243,7 +265,7 @@ pub fn valid_path_offset_search<'a, S: Scalar<Mask = bool>>(
     d: S,
     style: &OffsetStyle,
 ) -> Result<ValidOffsetTrace, Error> {
-    valid_searched(paths.into(), d, style, Subject::Paths)
+    valid_searched(paths.into(), d, style, Subject::Paths).map(|found| found.0)
 }
 
 /// Returns the offset of a polygon by a distance of either sign, in units of length, as polygons that are valid by the
@@ -268,8 +290,7 @@ pub fn offset<'a, S: Scalar<Mask = bool>>(
     d: S,
     style: &OffsetStyle,
 ) -> Result<Vec<Polygon<S>>, Error> {
-    let rings = rings.into();
-    valid_offset_search(rings, d, style).map(|trace| valid_offset_replay(rings, d, &trace))
+    valid_parts(rings.into(), d, style, Subject::Polygon)
 }
 
 /// Returns the offset of open paths by a distance, in units of length, as polygons that are valid by the OGC's rules.
@@ -291,8 +312,7 @@ pub fn path_offset<'a, S: Scalar<Mask = bool>>(
     d: S,
     style: &OffsetStyle,
 ) -> Result<Vec<Polygon<S>>, Error> {
-    let paths = paths.into();
-    valid_path_offset_search(paths, d, style).map(|trace| valid_offset_replay(paths, d, &trace))
+    valid_parts(paths.into(), d, style, Subject::Paths)
 }
 
 /// Returns the area of the offset of a polygon, in squared units of length; zero where the distance empties it.
@@ -314,9 +334,7 @@ pub fn offset_area<'a, S: Scalar<Mask = bool>>(
     d: S,
     style: &OffsetStyle,
 ) -> Result<S, Error> {
-    let rings = rings.into();
-    let trace = offset_search(rings, d, style)?;
-    Ok(polygon::signed_area(&offset_replay(rings, d, &trace)))
+    outline(rings.into(), d, style).map(|made| polygon::signed_area(&made))
 }
 
 /// Returns the perimeter of the offset of a polygon, holes included, in units of length; zero where the distance empties
@@ -330,7 +348,5 @@ pub fn offset_perimeter<'a, S: Scalar<Mask = bool>>(
     d: S,
     style: &OffsetStyle,
 ) -> Result<S, Error> {
-    let rings = rings.into();
-    let trace = offset_search(rings, d, style)?;
-    Ok(polygon::perimeter(&offset_replay(rings, d, &trace)))
+    outline(rings.into(), d, style).map(|made| polygon::perimeter(&made))
 }

@@ -40,7 +40,7 @@ class Buffer:
         return self.__name__
 
     def __call__(self, column, distance, **style):
-        return self._of(column, distance, **style)[0]
+        return self._of(column, distance, **style, keep=False)[0]
 
     def curves(self, column, distance, *, fill="even_odd"):
         """The border of each row's offset with round corners and ends, its arcs exact: a ``CurvePath``, ``None`` where nothing is left.
@@ -61,11 +61,22 @@ class Buffer:
         return pulled(record, _cotangents(upstream, len(made.vertices), made.vertices.dtype, (2,)), np.shape(distance))
 
     def _of(
-        self, column, distance, *, join="round", limit=5.0, end="round", chords=16, tolerance=None, fill="even_odd", valid=False
+        self,
+        column,
+        distance,
+        *,
+        join="round",
+        limit=5.0,
+        end="round",
+        chords=16,
+        tolerance=None,
+        fill="even_odd",
+        valid=False,
+        keep=True,
     ):
         vertices, starts, distances = given(column, distance)
         look = (join, limit, end, chords, tolerance)
-        made, record = _core.polygon_buffer(vertices, starts, distances, look, fill, valid)
+        made, record = _core.polygon_buffer(vertices, starts, distances, look, fill, valid, keep)
         return Polygons(made), record
 
 

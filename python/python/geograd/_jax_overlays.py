@@ -113,7 +113,7 @@ class Overlay:
     def _computed(self, xs: Any, layouts: Any, fill: str, valid: bool) -> Any:
         """The result of arrays of numbers, and its record."""
         columns = [layout.dressed(np.asarray(x)) for layout, x in zip(layouts, xs)]
-        return _core.polygon_overlay(self.__name__, *columns, fill, valid)
+        return _core.polygon_overlay(self.__name__, *columns, fill, valid, True)
 
     def _eager(self, xs: Any, layouts: Any, fill: str, valid: bool) -> Polygons:
         known: Any = []

@@ -191,7 +191,7 @@ class Polygons(_core.Polygons):
     def make_valid(self, *, fill="even_odd"):
         """The same areas as polygons that are valid by the OGC's rules: rings do not cross, holes lie in their part."""
         nothing = Polygons(np.zeros((0, 2), self.vertices.dtype), ([0], [0], [0, 0]))
-        return type(self)(_core.polygon_overlay("union", self, nothing, fill, True)[0])
+        return type(self)(_core.polygon_overlay("union", self, nothing, fill, True, False)[0])
 
     def buffer(self, distance, **style):
         """The polygons grown or shrunk by a distance: see :func:`geograd.buffer`."""
@@ -412,15 +412,15 @@ class Overlay:
         return self.__name__
 
     def __call__(self, a, b, *, fill="even_odd", valid=False):
-        return self._of(a, b, fill, valid)[0]
+        return self._of(a, b, fill, valid, keep=False)[0]
 
     def vjp(self, a, b, upstream, *, fill="even_odd", valid=False):
         """Cotangents of the vertices of both columns, from those of the vertices of the result, of shape (V, 2)."""
         made, record = self._of(a, b, fill, valid)
         return record.vjp(_cotangents(upstream, len(made.vertices), made.vertices.dtype, (2,)))
 
-    def _of(self, a, b, fill="even_odd", valid=False):
-        made, record = _core.polygon_overlay(self.__name__, Polygons.of(a), Polygons.of(b), fill, valid)
+    def _of(self, a, b, fill="even_odd", valid=False, keep=True):
+        made, record = _core.polygon_overlay(self.__name__, Polygons.of(a), Polygons.of(b), fill, valid, keep)
         return Polygons(made), record
 
 

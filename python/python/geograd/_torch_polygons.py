@@ -280,7 +280,7 @@ class Overlay:
     @torch.compiler.disable
     def __call__(self, a, b, *, fill="even_odd", valid=False):
         a, b = _pair(a, b)
-        made, record = _core.polygon_overlay(self.__name__, a.column, b.column, fill, valid)
+        made, record = _core.polygon_overlay(self.__name__, a.column, b.column, fill, valid, True)
         vertices = _Overlay.apply(record, made, a.vertices, b.vertices)
         return Polygons(vertices, made)
 
