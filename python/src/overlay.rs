@@ -4,7 +4,6 @@ use crate::polygons::{Format, Polygons, rows, vectors};
 use crate::raised;
 use crate::results::{Records, Results};
 use geograd::Error;
-use geograd::Vec2;
 use geograd::ad::adjoint::boolean::{overlay_vjp, valid_vjp};
 use geograd::ad::adjoint::minkowski::{minkowski_vjp, valid_minkowski_vjp};
 use geograd::boolean::{

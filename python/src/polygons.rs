@@ -174,6 +174,17 @@ impl Layout {
         }
         self.end_polygon();
     }
+    /// Adds all polygons of another layout.
+    pub fn add_all(&mut self, other: &Layout) {
+        let extend = |own: &mut Vec<usize>, more: &[usize]| {
+            let before = own.last().copied().unwrap_or(0);
+            own.extend(more[1..].iter().map(|&end| before + end));
+        };
+        extend(&mut self.rings, &other.rings);
+        extend(&mut self.parts, &other.parts);
+        extend(&mut self.polygons, &other.polygons);
+        self.ends.extend_from_slice(&other.ends);
+    }
 }
 
 /// A column of polygons, each of parts with holes.
@@ -424,7 +435,7 @@ pub fn joined_polygons(all: Vec<PyRef<'_, Polygons>>) -> Polygons {
         let (mut vertices, mut layout) = (Vec::new(), Layout::empty());
         for own in all {
             vertices.extend_from_slice(&T::of(&own.vertices));
-            (0..own.layout.len()).for_each(|item| layout.add(&own.layout, item));
+            layout.add_all(&own.layout);
         }
         Polygons::of(Arc::new(layout), T::kept(vertices))
     }

@@ -90,7 +90,7 @@ impl<T: Format, R> Results<T, R> {
     pub fn add(&mut self, next: Self) {
         let before = self.vertices.len();
         self.vertices.extend(next.vertices);
-        self.layout.add(&next.layout, 0);
+        self.layout.add_all(&next.layout);
         self.records.items.extend(next.records.items);
         let firsts = next.records.firsts[1..].iter();
         self.records.firsts.extend(firsts.map(|&end| before + end));

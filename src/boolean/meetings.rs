@@ -120,7 +120,7 @@ impl GeneralRings {
     }
     /// Returns the edges by where they begin in x; `None` for one about as short as the margin.
     fn sorted(&self, margin: f64) -> Option<Vec<RangedEdge>> {
-        let mut edges = Vec::with_capacity(self.points.len());
+        let mut order = Vec::with_capacity(self.points.len());
         for ring in 0..self.ends.len() {
             let from = self.start(ring);
             for number in from..self.ends[ring] {
@@ -130,18 +130,22 @@ impl GeneralRings {
                 if self.ends[ring] - from < 3 || way.x.abs().max(way.y.abs()) <= 4.0 * margin {
                     return None;
                 }
-                edges.push(RangedEdge {
-                    x: [start.x.min(end.x), start.x.max(end.x)],
-                    y: [start.y.min(end.y), start.y.max(end.y)],
-                    start,
-                    way,
-                    number: number as u32,
-                    next: next as u32,
-                });
+                order.push((start.x.min(end.x), number as u32, next as u32));
             }
         }
-        edges.sort_unstable_by(|a, b| a.x[0].total_cmp(&b.x[0]));
-        Some(edges)
+        order.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+        let edge = |(left, number, next): (f64, u32, u32)| {
+            let (start, end) = (self.points[number as usize], self.points[next as usize]);
+            RangedEdge {
+                x: [left, start.x.max(end.x)],
+                y: [start.y.min(end.y), start.y.max(end.y)],
+                start,
+                way: end - start,
+                number,
+                next,
+            }
+        };
+        Some(order.into_iter().map(edge).collect())
     }
     /// Finds all crossings; `None` where a relation is unclear, or where there are too many.
     fn find(&mut self, edges: &[RangedEdge], extent: f64, margin: f64) -> Option<()> {
