@@ -161,7 +161,7 @@ class CurvePath:
     """A path of straight lines, circular arcs, quadratic and cubic Bézier curves: letters of steps, and their numbers."""
     def __init__(self, steps: str, numbers: ArrayLike) -> None: ...
     @classmethod
-    def of_svg(cls, path: str) -> CurvePath:
+    def of_svg(cls, path: str, *, tolerance: float | None = None) -> CurvePath:
         """The path in SVG's notation. Arcs must be those of circles."""
     @property
     def steps(self) -> str:
@@ -225,6 +225,8 @@ class Delaunay:
     @property
     def circles(self) -> tuple[Array, Array]:
         """The centres and radii of the circles around the triangles."""
+    def locate(self, places: ArrayLike) -> Array:
+        """The triangle that contains each place, -1 outside of all, of shape (M,)."""
     def areas_vjp(self, areas_bar: ArrayLike) -> Array:
         """Cotangents of the points from those of the areas."""
 

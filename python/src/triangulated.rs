@@ -52,6 +52,13 @@ impl DelaunayCore {
     fn areas<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         PyArray1::from_vec(py, self.found.areas(&self.points))
     }
+    /// Returns the triangle around each place, −1 outside of all.
+    fn locate<'py>(&self, py: Python<'py>, places: &Object<'py>) -> PyResult<Indices<'py>> {
+        let places = vectors(places)?;
+        let found = py.detach(|| self.found.locate(&self.points, &places));
+        let all = found.into_iter().map(|own| own.map_or(-1, i64::from));
+        Ok(PyArray1::from_iter(py, all))
+    }
     /// Returns centres and radii.
     fn circles<'py>(&self, py: Python<'py>) -> PyResult<(Object<'py>, Bound<'py, PyArray1<f64>>)> {
         let all = self.found.circumcircles(&self.points);

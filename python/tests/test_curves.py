@@ -60,11 +60,41 @@ def test_paths_of_svg_are_read():
     np.testing.assert_allclose(path.numbers[28:], [6, 5, 7, 5, 6, 4, quarter, 7, 3, quarter])
     half = geograd.CurvePath.of_svg("M0 0A5 5 0 1 1 6 0")
     np.testing.assert_allclose(half.numbers[-1], 3)
-    with pytest.raises(ValueError, match="circles"):
-        geograd.CurvePath.of_svg("M0 0A5 4 0 1 1 6 0")
     for text in ("M0", "M0 0 X", "L", "M0 0 L a 1"):
         with pytest.raises(ValueError, match="path|elements"):
             geograd.CurvePath.of_svg(text)
+
+
+@pytest.mark.parametrize("flags", ["0 0", "0 1", "1 0", "1 1"])
+@pytest.mark.parametrize("tolerance", [None, 1e-2, 1e-9])
+def test_arcs_of_ellipses_are_within_a_tolerance(flags, tolerance):
+    # Both points are on the ellipse of half axes 3 and 1 about (2, 1), turned by 30 degrees, at 20 and 130 degrees of it.
+    turn = np.deg2rad(30)
+    axes = np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]]) * [[3], [1]]
+    at = lambda angles: np.array([2, 1]) + np.stack([np.cos(angles), np.sin(angles)], -1) @ axes
+    start, to = at(np.deg2rad([20, 130]))
+    path = geograd.CurvePath.of_svg("M{:.17g} {:.17g}A3 1 30 {} {:.17g} {:.17g}".format(*start, flags, *to), tolerance=tolerance)
+    np.testing.assert_array_equal(path.numbers[-2:], to)
+    # The ellipse about the given centre, or the one about its mirror image in the middle of both points.
+    is_large, is_positive = flags.split()
+    own = (is_large == "1") != (is_positive == "1")
+    angles = np.linspace(20, 130, 500) if is_large == "0" else np.linspace(130, 380, 500)
+    points = at(np.deg2rad(angles))
+    points = points if own else start + to - points
+    allowed = 3e-6 if tolerance is None else tolerance
+    assert path.distance(points).max() < allowed
+    # The area between the arc and its chord: sectors of an ellipse have those of its angle.
+    area = geograd.CurvePath(path.steps + "Z", path.numbers).area
+    sector = np.deg2rad(250 if is_large == "1" else 110)
+    np.testing.assert_allclose(area, (1.5 if is_positive == "1" else -1.5) * (sector - np.sin(sector)), atol=20 * allowed)
+
+
+def test_short_ellipses_reach_and_flat_ones_are_lines():
+    # Radii that do not reach are scaled: half an ellipse of half axes 10 and 5.
+    path = geograd.CurvePath.of_svg("M0 0 A 2 1 0 0 1 20 0 Z")
+    np.testing.assert_allclose(path.area, np.pi * 25, rtol=1e-5)
+    assert geograd.CurvePath.of_svg("M0 0 A 0 1 0 0 1 20 0 Z").steps == "MLZ"
+    assert geograd.CurvePath.of_svg("M3 0 A 2 1 0 0 1 3 0 Z").steps == "MLZ"
 
 
 def test_wrong_paths_are_refused():
@@ -133,3 +163,18 @@ def test_hard_points_have_a_triangulation():
     assert len(geograd.Delaunay(np.zeros((0, 2)))) == 0
     with pytest.raises(ValueError, match="item 1"):
         geograd.Delaunay([(0, 0), (np.inf, 0)])
+
+
+def test_places_are_located_as_by_scipy():
+    spatial = pytest.importorskip("scipy.spatial")
+    draw = np.random.default_rng(11)
+    points, places = draw.uniform(0, 1, (500, 2)), draw.uniform(-0.1, 1.1, (2000, 2))
+    mesh, theirs = geograd.Delaunay(points), spatial.Delaunay(points)
+    found, known = mesh.locate(places), theirs.find_simplex(places)
+    np.testing.assert_array_equal(found == -1, known == -1)
+    is_inside = found >= 0
+    own = np.sort(mesh.triangles[found[is_inside]], axis=1)
+    np.testing.assert_array_equal(own, np.sort(theirs.simplices[known[is_inside]], axis=1))
+    assert mesh.locate(np.zeros((0, 2))).shape == (0,)
+    with pytest.raises(ValueError, match="places"):
+        mesh.locate([1.0, 2.0])

@@ -1,7 +1,7 @@
 //! Delaunay triangulations: the triangles of points in whose circles there are no others.
 //!
 //! [`Delaunay::search`] decides with exact signs; [`Delaunay::areas`] and [`Delaunay::circumcircles`] measure its triangles in any
-//! scalar, so duals of the points pass through. Voronoi cells, clipped and with weights, are in [`cells`](crate::cells).
+//! scalar, so duals of the points pass through. [`Delaunay::locate`] finds the triangles around places. Voronoi cells, clipped and with weights, are in [`cells`](crate::cells).
 //!
 //! ```
 //! use geograd::{Vec2, delaunay::Delaunay};
@@ -28,6 +28,7 @@
 //! and circles of triangles jump there. Sums that do not depend on the diagonal, such as that of all areas, are smooth.
 mod divide_and_conquer;
 mod half_edges;
+mod triangle_walk;
 mod triangulation;
 
 pub use triangulation::Delaunay;

@@ -35,6 +35,43 @@ def _bulge(start, to, radius, is_large, is_positive):
     return bulge if is_positive else -bulge
 
 
+def _ellipse(start, to, own, tolerance):
+    """The numbers of cubic curves for an arc of an ellipse in SVG's end-point notation, six for each; none for a line."""
+    radii, turn = np.abs(own[:2]), np.deg2rad(own[2])
+    if not radii.all() or (start == to).all():
+        return np.zeros(0)
+    axes = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
+    # Where the ellipse is a circle of radius one; radii that do not reach are scaled.
+    half = 0.5 * ((to - start) @ axes) / radii
+    reach = np.hypot(*half)
+    radii = radii * max(reach, 1.0)
+    half = half / max(reach, 1.0)
+    square = half @ half
+    way = np.sqrt(max(1 - square, 0.0) / square) * (1 if bool(own[3]) != bool(own[4]) else -1)
+    middle = way * np.array([-half[1], half[0]])
+    first, last = -half - middle, half - middle
+    begin = np.arctan2(first[1], first[0])
+    sweep = np.arctan2(first[0] * last[1] - first[1] * last[0], first @ last)
+    if own[4] and sweep < 0:
+        sweep += 2 * np.pi
+    elif not own[4] and sweep > 0:
+        sweep -= 2 * np.pi
+    # One curve is off the unit circle by `2/27 sin^6 / cos^2` of a quarter of its angle (Goldapp 1991).
+    count = max(int(np.ceil(2 * abs(sweep) / np.pi)), 1)
+    quarter = abs(sweep) / 4
+    allowed = tolerance / radii.max() if tolerance is not None else 1e-6
+    while 2 / 27 * np.sin(quarter / count) ** 6 > allowed * np.cos(quarter / count) ** 2:
+        count += 1
+    angles = begin + sweep * np.arange(count + 1) / count
+    points = np.stack([np.cos(angles), np.sin(angles)], -1)
+    ahead = 4 / 3 * np.tan(sweep / count / 4) * np.stack([-points[:, 1], points[:, 0]], -1)
+    curves = np.stack([points[:-1] + ahead[:-1], points[1:] - ahead[1:], points[1:]], 1)
+    center = 0.5 * (start + to) + (radii * middle) @ axes.T
+    curves = center + (radii * curves) @ axes.T
+    curves[-1, -1] = to
+    return curves.ravel()
+
+
 def _commands(text):
     """The letters of a path in SVG's notation, each with its numbers. A letter stands for all of its repetitions."""
     tokens = re.findall(r"[A-Za-z]|[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?|[^\s,]", text)
@@ -67,7 +104,7 @@ def _commands(text):
             letter = {"M": "L", "m": "l"}.get(letter, letter)
 
 
-def _of_svg(text):
+def _of_svg(text, tolerance=None):
     steps, numbers = [], []
     here = start = np.zeros(2)
     control = None
@@ -79,21 +116,24 @@ def _of_svg(text):
             to[axis] = own[0] + offset[axis]
             kind, own = "L", to
         elif kind == "A":
-            if own[0] != own[1]:
-                raise ValueError(f"path: arcs of circles are needed, and one has the radii {own[0]} and {own[1]}")
             to = own[5:] + offset
-            own = np.array([*to, _bulge(here, to, own[0], own[3], own[4])])
+            if own[0] == own[1]:
+                own = np.array([*to, _bulge(here, to, own[0], own[3], own[4])])
+            else:
+                own = _ellipse(here, to, own, tolerance)
+                kind, own = ("C", own) if len(own) else ("L", to)
         elif kind != "Z":
             own = own + np.tile(offset, len(own) // 2)
         # A smooth curve begins with the mirror image of the control point before it.
         if kind in "ST":
             smooth = control[1] if control is not None and control[0] == {"S": "C", "T": "Q"}[kind] else here
             kind, own = {"S": "C", "T": "Q"}[kind], np.concatenate([2 * here - smooth, own])
-        control = (kind, own[-4:-2]) if kind in "CQ" else None
+        # Nothing follows an arc smoothly.
+        control = (kind, own[-4:-2]) if letter in "QqTtCcSs" else None
         here = start if kind == "Z" else own[:2] if kind == "A" else own[-2:]
         if kind == "M":
             start = here
-        steps.append(kind)
+        steps.append(kind * (len(own) // 6) if kind == "C" else kind)
         numbers.append(own)
     return "".join(steps), np.concatenate([np.zeros(0), *numbers])
 
@@ -123,9 +163,14 @@ class CurvePath:
         self._core = _core.CurveCore(steps, np.ascontiguousarray(numbers, np.float64))
 
     @classmethod
-    def of_svg(cls, path):
-        """The path in SVG's notation: the attribute ``d``. Arcs must be those of circles."""
-        return cls(*_of_svg(path))
+    def of_svg(cls, path, *, tolerance=None):
+        """The path in SVG's notation: the attribute ``d``. Arcs of circles are exact. Those of ellipses are cubic curves within a
+        ``tolerance``: a distance, by default a millionth of the larger radius.
+
+        >>> round(geograd.CurvePath.of_svg("M-3 0 A3 2 0 0 1 3 0 Z").area, 4)  # half an ellipse
+        9.4248
+        """
+        return cls(*_of_svg(path, tolerance))
 
     def __repr__(self):
         return f"<geograd.CurvePath {self.steps}>"
@@ -258,6 +303,16 @@ class Delaunay:
     def circles(self):
         """The centres, of shape (T, 2), and radii of the circles around the triangles."""
         return self._core.circles()
+
+    def locate(self, places):
+        """The triangle that contains each place of shape (M, 2), -1 outside of all, of shape (M,).
+
+        Of several, at an edge or a corner, it is the lowest one. Decisions are exact.
+
+        >>> geograd.Delaunay([(0, 0), (4, 0), (0, 4)]).locate([(1, 1), (2, 2), (3, 3)])
+        array([ 0,  0, -1])
+        """
+        return self._core.locate(_points(places, "places"))
 
     def areas_vjp(self, areas_bar):
         """Cotangents of the points from those of the areas."""

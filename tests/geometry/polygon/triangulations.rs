@@ -259,3 +259,70 @@ fn areas_and_circles_have_derivatives() {
         }
     }
 }
+
+#[test]
+fn places_are_located_in_the_lowest_triangle_that_contains_them() {
+    let mut dice = Dice(5);
+    for round in 0..400 {
+        let (count, side) = (3 + dice.below(40), [2, 3, 5, 9, 1000, 1 << 26][round % 6]);
+        // Even numbers, so that middles of edges are whole.
+        let mut one = |side: usize| 2 * (dice.below(side) as i128 - side as i128 / 2);
+        let all: Vec<Spot> = (0..count).map(|_| [one(side), one(side)]).collect();
+        let found = search(&all);
+        let mut spots = all.clone();
+        let middle = |[a, b]: [u32; 2]| {
+            let [p, q] = [a, b].map(|k| all[k as usize]);
+            [0, 1].map(|k| (p[k] + q[k]) / 2)
+        };
+        spots.extend(found.edges().into_iter().map(middle));
+        spots.extend((0..40).map(|_| [one(2 * side) + 1, one(2 * side)]));
+        let expected: Vec<Option<u32>> = spots
+            .iter()
+            .map(|&spot| {
+                let contains = |triangle: &[u32; 3]| {
+                    let [a, b, c] = triangle.map(|k| all[k as usize]);
+                    [[a, b], [b, c], [c, a]]
+                        .iter()
+                        .all(|&[p, q]| turn(p, q, spot) >= 0)
+                };
+                let number = found.triangles().iter().position(contains);
+                number.map(|number| number as u32)
+            })
+            .collect();
+        // Sizes are only units.
+        for size in [1.0, 2.0_f64.powi(-900), 2.0_f64.powi(900)] {
+            let [points, places] = [&all, &spots].map(|own| {
+                let own = placed(own).into_iter();
+                own.map(|p| p * size).collect::<Vec<_>>()
+            });
+            assert_eq!(found.locate(&points, &places), expected, "{all:?} {size:e}");
+        }
+    }
+    // A corner of very many triangles, and a long walk along a strip.
+    let mut fan: Vec<Spot> = (0..20_000).map(|k| [k - 10_000, 1 << 20]).collect();
+    fan.push([0, 0]);
+    let found = search(&fan);
+    assert_eq!(found.triangles().len(), 19_999);
+    assert_eq!(
+        found.locate(&placed(&fan), &[at(0.0, 0.0); 100]),
+        [Some(0); 100]
+    );
+    let far = [
+        at(f64::NAN, 0.0),
+        at(f64::INFINITY, 0.0),
+        at(-1e300, 1e300),
+        at(0.0, 1.0),
+    ];
+    let [none, endless, away, inside] = found.locate(&placed(&fan), &far)[..] else {
+        unreachable!()
+    };
+    assert_eq!((none, endless, away), (None, None, None));
+    assert!(inside.is_some());
+    // Points that have moved: a triangle that contains the place, or none.
+    let moved: Vec<_> = placed(&fan).into_iter().map(|p| at(-p.x, p.y)).collect();
+    assert_eq!(found.locate(&moved, &[at(3.5, 7.0)]), [None]);
+    assert_eq!(
+        search(&[[0, 0], [1, 1], [2, 2]]).locate(&placed(&[[0, 0]; 3]), &[at(0.0, 0.0)]),
+        [None]
+    );
+}
