@@ -11,7 +11,7 @@ use super::expand::exits;
 use super::level::shared;
 use super::piece::{Piece, PieceKind, Place};
 use super::solid_pair::{Found, Solids};
-use super::support::Supported;
+use super::support::{Supported, start};
 use super::touch::{FEW, MOST, System, Touch, tangents};
 use super::touching::{Candidate, candidates};
 use crate::{Scalar, Vec3};
@@ -242,6 +242,40 @@ impl Solids<'_> {
             settled: false,
         })
     }
+    /// Returns a touch whose points are off each other with one of them moved to where the other one is, if that is better: where
+    /// a curved shape touches an edge or a needle along it, the place there has no equation of its own.
+    fn matched(&self, found: Found) -> Found {
+        let normal = found.touch.normal;
+        let ([a, b], out) = (self.pieces(found.pieces, normal), normal * self.side);
+        let [i, j] = found.pieces;
+        let way = normal * found.value;
+        let [on_a, on_b] = [b.at(&found.touch.b) - way, a.at(&found.touch.a) + way];
+        let mut best = found;
+        for (is_a, at) in [(true, on_a), (false, on_b)] {
+            let mut touch = found.touch;
+            let moved = match is_a {
+                true => &mut touch.a,
+                false => &mut touch.b,
+            };
+            let near = match is_a {
+                true => self.a.clamped(i, &start(&a, at, out, false)),
+                false => self.b.clamped(j, &start(&b, at, -out, false)),
+            };
+            *moved = Place {
+                pull: moved.pull,
+                ..near
+            };
+            let error = ((b.at(&touch.b) - a.at(&touch.a)) - way).length();
+            if error < best.error {
+                best = Found {
+                    touch,
+                    error,
+                    ..found
+                };
+            }
+        }
+        best
+    }
     /// Keeps the better one of two touches along any normals.
     fn take(&self, best: &mut Option<Found>, found: Option<Found>) {
         let Some(found) = found else { return };
@@ -423,6 +457,10 @@ pub fn search(a: &dyn Supported, b: &dyn Supported) -> Option<Found> {
             break;
         }
     }
+    let best = best.map(|found| match found.error <= EXACT * size {
+        true => found,
+        false => solids.matched(found),
+    });
     best.map(|found| shared(&solids, found))
 }
 

@@ -480,3 +480,21 @@ fn bodies_about_nearly_one_axis_are_as_deep_in_either_order() {
         assert!((found + 6.335610119976971).abs() <= 1e-13, "{found}");
     }
 }
+
+/// A ball that touches the end of a needle along it: places near the end are as near to 10⁻¹³, and both points are one.
+#[test]
+fn points_of_a_ball_and_a_needle_that_touch_are_one() {
+    let at = Vec3::new;
+    let turn = |y: f64| Rotation3 {
+        w: 0.0,
+        x: 0.0,
+        y,
+        z: 0.0,
+    };
+    let ball = Ellipsoid::new(at(0.0, 0.0, -1.0), at(1.0, 1.0, 1.0), turn(-1.0));
+    let needle = Ellipsoid::new(at(0.0, -1.0, 0.0), at(0.0, 0.0, 1.0), turn(1.0));
+    let [one, other] = [closest_points(ball, needle), closest_points(needle, ball)];
+    for found in [one.on_a, one.on_b, other.on_a, other.on_b] {
+        assert!((found - at(0.0, -1.0, -1.0)).length() <= 1e-12, "{found:?}");
+    }
+}
