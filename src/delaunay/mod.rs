@@ -1,7 +1,8 @@
 //! Delaunay triangulations: the triangles of points in whose circles there are no others.
 //!
 //! [`Delaunay::search`] decides with exact signs; [`Delaunay::areas`] and [`Delaunay::circumcircles`] measure its triangles in any
-//! scalar, so duals of the points pass through. [`Delaunay::locate`] finds the triangles around places. Voronoi cells, clipped and with weights, are in [`cells`](crate::cells).
+//! scalar, so duals of the points pass through. [`Delaunay::locate`] finds the triangles around places. Voronoi cells, clipped and
+//! with weights, are in [`cells`](crate::cells).
 //!
 //! ```
 //! use geograd::{Vec2, delaunay::Delaunay};

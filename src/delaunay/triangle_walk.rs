@@ -122,10 +122,9 @@ impl Delaunay {
             // The hull is convex: beyond one of its sides there is no triangle.
             triangle = self.neighbours()[triangle as usize][side]?;
         }
-        // Of other points than those of the search.
-        let all = 0..self.triangles().len() as u32;
+        // The points are not those of the search, and the walk has gone in circles.
         let contains = |&own: &u32| !self.turns(points, at, own).contains(&Turn::Right);
-        all.into_iter().find(contains)
+        (0..self.triangles().len() as u32).find(contains)
     }
     /// Returns the lowest number of a triangle that contains a place, from one that does. Those at an edge are two, and those at
     /// a corner follow each other around it.

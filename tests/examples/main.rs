@@ -542,7 +542,7 @@ fn backend_gpu_without_a_gpu() {
     std::fs::write(at.join("a.csv"), "0,0,2,2,0\n").unwrap();
     std::fs::write(at.join("out"), "as it was").unwrap();
     let (expected, why) = match cfg!(feature = "gpu") {
-        // Of a machine without a driver that is all.
+        // The message ends here on a machine without a driver.
         true => (1, "no GPU found"),
         false => (2, "`cargo run --features gpu`"),
     };

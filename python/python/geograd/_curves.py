@@ -41,7 +41,7 @@ def _ellipse(start, to, own, tolerance):
     if not radii.all() or (start == to).all():
         return np.zeros(0)
     axes = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
-    # Where the ellipse is a circle of radius one; radii that do not reach are scaled.
+    # Coordinates in which the ellipse is a circle of radius one; radii that do not reach are scaled.
     half = 0.5 * ((to - start) @ axes) / radii
     reach = np.hypot(*half)
     radii = radii * max(reach, 1.0)

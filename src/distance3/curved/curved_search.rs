@@ -26,14 +26,14 @@ const SETTLED: f64 = 1e-9;
 const STEPS: usize = 12;
 /// The most pairs of pieces that are tried.
 const PAIRS: usize = 24;
-/// The cosine of an angle between axes that are nearly parallel.
+/// The least cosine between axes around which directions are tried.
 const PARALLEL: f64 = 0.8;
-/// By how much the best of them may be worse than a touch that is known, relative to the size.
-const NEARLY: f64 = 1e-3;
-/// How often the top of a parabola is taken.
-const TOPS: usize = 3;
 /// The number of directions around an axis that are tried.
 const AROUND: usize = 12;
+/// The most by which one of these is worse than the touch that is known and still refined, relative to the size.
+const NEARLY: f64 = 1e-3;
+/// The number of parabolas through values of three directions that refine one.
+const TOPS: usize = 3;
 /// How often solids that overlap are parted.
 const PARTINGS: usize = 4;
 

@@ -208,18 +208,20 @@ pub fn exits(lowest: &dyn Fn(Vec3<f64>) -> PointDifference) -> Vec<Exit> {
     let mut exits = vec![probe.best];
     faces.retain(|face| face.height < probe.best.depth && face.normal.length_squared() >= 0.5);
     faces.sort_by(|p, q| p.height.total_cmp(&q.height));
+    // Each face with the largest cosine between its way out and those that are taken.
+    let mut left: Vec<(Face, f64)> = faces.into_iter().map(|face| (face, -1.0)).collect();
     for count in 0..OTHERS {
+        let taken = exits[count].normal;
+        for (face, beside) in &mut left {
+            *beside = beside.max(-taken.dot(face.normal));
+        }
+        let mut new = left.iter().filter(|(_, beside)| *beside <= 0.97);
         // Directions all around may be as good to a part in 10⁵: the later ones are far from the others.
-        let beside = |face: &Face| {
-            let along = exits.iter().map(|exit| -exit.normal.dot(face.normal));
-            along.fold(-1.0, f64::max)
-        };
-        let new = faces.iter().filter(|face| beside(face) <= 0.97);
         let next = match count < LOWEST {
-            true => new.into_iter().next(),
-            false => new.min_by(|p, q| beside(p).total_cmp(&beside(q))),
+            true => new.next(),
+            false => new.min_by(|(_, p), (_, q)| p.total_cmp(q)),
         };
-        let Some(next) = next else {
+        let Some((next, _)) = next else {
             break;
         };
         exits.push(Exit {
