@@ -123,7 +123,7 @@ impl Interpreter {
         if self.done.fetch_add(tiles, Ordering::Relaxed) < WORTH.load(Ordering::Relaxed) {
             return None;
         }
-        let new = || Native::new::<T>(&self.tape, self.width::<T>(), level, of_rows);
+        let new = || Native::new::<T>(&self.tape, self.stride::<T>(), level, of_rows);
         made.get_or_init(new).as_ref()
     }
     /// Returns the numbers of instructions and of slots.
@@ -138,12 +138,18 @@ impl Interpreter {
     fn width<T>(&self) -> usize {
         self.width.unwrap_or(SLOT / size_of::<Lane<T>>())
     }
-    /// Returns slots of `width` lanes, with the constants in theirs.
-    fn furnished<T: Real>(&self, width: usize) -> Vec<Lane<T>> {
-        let mut lanes = vec![Lane::default(); self.tape.slots * width];
+    /// Returns the number of lanes from a slot to the next. A power of two would put the numbers of an item into a few
+    /// sets of the innermost cache, which then holds 32 slots of hundreds.
+    fn stride<T>(&self) -> usize {
+        self.width::<T>() + 1
+    }
+    /// Returns slots, with the constants in theirs.
+    fn furnished<T: Real>(&self) -> Vec<Lane<T>> {
+        let stride = self.stride::<T>();
+        let mut lanes = vec![Lane::default(); self.tape.slots * stride];
         for &(slot, constant) in &self.tape.constants {
-            let from = slot as usize * width;
-            lanes[from..from + width].fill(Lane([T::lit(constant); _]));
+            let from = slot as usize * stride;
+            lanes[from..from + stride].fill(Lane([T::lit(constant); _]));
         }
         lanes
     }
@@ -156,15 +162,15 @@ impl Interpreter {
         steps: [usize; 2],
         canonical: bool,
     ) {
-        let width = self.width::<T>();
-        let furnish = || self.furnished(width);
+        let furnish = || self.furnished();
         let native = self.native::<T>(tiles, false);
+        let width = self.width::<T>();
         with_room(self.number, furnish, |lanes| {
             let lanes = Cell::from_mut(lanes).as_slice_of_cells();
             for first in (0..tiles).step_by(width) {
                 let pass = Pass {
                     lanes,
-                    stride: width,
+                    stride: self.stride::<T>(),
                     inputs,
                     fields: &self.fields,
                     steps,
@@ -196,15 +202,15 @@ impl<T: Real> OverRows<T> for Interpreter {
         wanted: &mut [ResultRows<'_, T>],
         far: bool,
     ) {
-        let width = self.width::<T>();
         let native = self.native::<T>(items.div_ceil(TILE), true);
-        let furnish = || self.furnished(width);
+        let width = self.width::<T>();
+        let furnish = || self.furnished();
         with_room(self.number, furnish, |lanes| {
             let lanes = Cell::from_mut(lanes).as_slice_of_cells();
             for first in (0..items).step_by(width * TILE) {
                 let part = RowRange {
                     lanes,
-                    stride: width,
+                    stride: self.stride::<T>(),
                     given,
                     first,
                     items: (width * TILE).min(items - first),
