@@ -9,7 +9,8 @@
 //! [`compile`] alone writes the code: packed arithmetic between vector registers, loads and stores at `slot + offset`
 //! and `table[k] + offset`, one loop, no other jump. Slots are below the tape's count, the offset below the bytes in
 //! use, and [`Native::bind`] refuses memory for fewer slots. Every address in the table is that of a slot or of numbers
-//! borrowed by a [`BoundCode`]. [`BoundCode::run`] requires at least as many of these as a slot has in use. The code
+//! borrowed by a [`BoundCode`]. [`BoundCode::run`] requires at least as many of these as a slot has in use; it moves all
+//! addresses by the items before the first one, and ends where that many items end. The code
 //! writes to mutably borrowed numbers only. It uses registers that its calling convention leaves to it, and the
 //! instructions of a level that the processor has.
 use crate::kernels::cpu::lane::{Lane, TILE};
@@ -20,6 +21,7 @@ use crate::kernels::cpu::simd::Simd;
 use memmap2::{Mmap, MmapMut};
 use std::cell::Cell;
 use std::marker::PhantomData;
+use std::ops::Range;
 
 /// The machine code of a program's runs of instructions.
 #[derive(Debug)]
@@ -33,8 +35,9 @@ pub(crate) struct Native {
     /// The numbers of lanes of all slots, and of one.
     lanes: usize,
     stride: usize,
-    /// The size of a number in bytes.
+    /// The size of a number in bytes, and how many a vector has.
     number: usize,
+    vector: usize,
 }
 
 impl Native {
@@ -66,6 +69,7 @@ impl Native {
             lanes: tape.slots * stride,
             stride,
             number,
+            vector: if is_512 { 64 } else { 32 } / number,
         })
     }
     /// Returns `true` if the code can read input `k` in place.
@@ -134,17 +138,27 @@ impl<'a, T> BoundCode<'a, T> {
         self.lent = self.lent.min(numbers.len());
         self.table[self.native.inputs + k] = numbers.as_mut_ptr();
     }
-    /// Executes a run on the vectors that hold items, in `width` lanes of every slot.
+    /// Executes a run on the vectors that hold some items, in `width` lanes of every slot.
     #[inline]
-    pub(crate) fn run(&self, run: &CodeRun, width: usize) {
+    pub(crate) fn run(&self, run: &CodeRun, width: usize, items: Range<usize>) {
         // The lanes and the borrowed numbers must have that many vectors, or the code would write beyond them.
         let fits = (1..=self.native.stride).contains(&width) && width * TILE <= self.lent;
         if !fits {
             return;
         }
-        // The code computes one vector at least, and none that begins at this byte or later.
-        let bytes = size_of::<T>() * self.items.min(width * TILE);
-        let first = self.lanes.as_ptr().cast::<u8>().cast_mut();
+        // The code computes one vector at least, and none that begins at the end or later.
+        let first = items.start / self.native.vector * self.native.vector;
+        let end = items.end.min(self.items).min(width * TILE);
+        if first >= end {
+            return;
+        }
+        let bytes = size_of::<T>() * (end - first);
+        let mut table = self.table;
+        for address in &mut table[..self.native.table.len().min(MOST)] {
+            *address = address.wrapping_add(first);
+        }
+        let first = self.lanes.as_ptr().cast::<T>().wrapping_add(first);
+        let first = first.cast::<u8>().cast_mut();
         // Sound: the module says why. Cells may be written through a shared reference.
         unsafe {
             let entry = self.native.code.as_ptr().add(run.entry);
@@ -152,7 +166,7 @@ impl<'a, T> BoundCode<'a, T> {
                 *const u8,
                 extern "sysv64" fn(*mut u8, usize, *const *mut T),
             >(entry);
-            function(first, bytes, self.table.as_ptr());
+            function(first, bytes, table.as_ptr());
         }
     }
 }

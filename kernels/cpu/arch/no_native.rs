@@ -5,6 +5,7 @@ use crate::kernels::cpu::program::lower::Tape;
 use crate::kernels::cpu::simd::Simd;
 use std::cell::Cell;
 use std::marker::PhantomData;
+use std::ops::Range;
 
 /// The machine code of a program, which does not exist in this build.
 #[derive(Debug)]
@@ -43,7 +44,7 @@ impl<'a, T> BoundCode<'a, T> {
     pub(crate) fn lend_mut(&mut self, _: usize, _: &'a mut [T]) {
         match *self.0 {}
     }
-    pub(crate) fn run(&self, _: &CodeRun, _: usize) {
+    pub(crate) fn run(&self, _: &CodeRun, _: usize, _: Range<usize>) {
         match *self.0 {}
     }
 }

@@ -10,6 +10,7 @@ use crate::kernels::cpu::lane::{Lane, TILE, Tiles};
 use crate::kernels::cpu::program::instructions::{Instruction, Opcode, instructions};
 use crate::kernels::cpu::program::lower::Tape;
 use std::cell::Cell;
+use std::ops::Range;
 
 /// The number of lanes that one turn of an instruction's loop computes. The number of lanes of a slot is a multiple of
 /// it.
@@ -178,22 +179,49 @@ fn several<T: Real, V: Vector<T>, const A: usize, const N: usize>(
     }
 }
 
-/// Returns `true` if a truth holds for every item (`all`), or for none.
-#[inline(always)]
-fn is<T: Real, V: Vector<T>>(memory: Memory<'_, T>, slot: u16, all: bool) -> bool {
-    let bits = if all { (1 << V::WIDTH) - 1 } else { 0 };
-    memory.slot(slot).as_flattened().iter().all(
-        #[inline(always)]
-        |lane| {
+/// The vectors of a block that need some instructions, a bit each, and where these end.
+#[derive(Clone, Copy)]
+struct Needed {
+    vectors: u64,
+    end: usize,
+}
+
+impl Needed {
+    /// Returns the vectors of a block with an item that a truth does not excuse. It excuses where it holds (`all`), or
+    /// where it does not. Of more than 64 vectors all are needed if one is.
+    #[inline(always)]
+    fn of<T: Real, V: Vector<T>>(memory: Memory<'_, T>, slot: u16, all: bool) -> u64 {
+        let excused = if all { (1 << V::WIDTH) - 1 } else { 0 };
+        let (mut vectors, mut place) = (0, 0);
+        for lane in memory.slot(slot).as_flattened() {
             let lane = lane.get();
-            let (mut as_asked, mut at) = (true, 0);
+            let mut at = 0;
             while at < TILE {
-                as_asked &= V::bits(V::read(&lane, at).truth()) == bits;
+                let is_needed = V::bits(V::read(&lane, at).truth()) != excused;
+                vectors |= u64::from(is_needed) << (place % 64);
+                place += 1;
                 at += V::WIDTH;
             }
-            as_asked
-        },
-    )
+        }
+        if place > 64 && vectors != 0 {
+            return u64::MAX;
+        }
+        vectors
+    }
+    /// Passes the ranges of items whose vectors are needed, of `width` items each.
+    #[inline(always)]
+    fn ranges(self, width: usize, mut pass: impl FnMut(Range<usize>)) {
+        let mut vectors = self.vectors;
+        if vectors == u64::MAX {
+            return pass(0..usize::MAX);
+        }
+        while vectors != 0 {
+            let first = vectors.trailing_zeros();
+            let end = first + (vectors >> first).trailing_ones();
+            vectors &= u64::MAX << end;
+            pass(first as usize * width..end as usize * width);
+        }
+    }
 }
 
 /// Calls the loop for an instruction's number of operands.
@@ -304,14 +332,17 @@ pub(crate) fn carry_out<T: Real, V: Vector<T>>(
     native: Option<&BoundCode<'_, T>>,
 ) {
     let mut runs = native.map_or(&[][..], BoundCode::runs);
-    let mut next = 0;
+    let (mut next, mut needed) = (0, Needed { vectors: 0, end: 0 });
     loop {
         if let (Some(native), Some((run, others))) = (native, runs.split_first())
             && run.from <= next
         {
             // A jump may have skipped the run.
             if run.from == next {
-                native.run(run, memory.width);
+                match next < needed.end {
+                    true => needed.ranges(V::WIDTH, |items| native.run(run, memory.width, items)),
+                    false => native.run(run, memory.width, 0..usize::MAX),
+                }
                 next = run.to;
             }
             runs = others;
@@ -347,8 +378,12 @@ pub(crate) fn carry_out<T: Real, V: Vector<T>>(
                         #[inline(always)]
                         |[x, y]: [V; 2]| [x + y, x - y]),
                     Opcode::SkipIfAll | Opcode::SkipIfNone => {
-                        if is::<T, V>(memory, code.from[0], code.op == Opcode::SkipIfAll) {
-                            next += code.to[0] as usize;
+                        let end = next + code.to[0] as usize;
+                        let all = code.op == Opcode::SkipIfAll;
+                        let vectors = Needed::of::<T, V>(memory, code.from[0], all);
+                        needed = Needed { vectors, end };
+                        if vectors == 0 {
+                            next = end;
                         }
                     }
                 }

@@ -237,7 +237,7 @@ pub(crate) fn groups(
     graph: &Graph,
     live: &[bool],
     steps: &[Option<NodeInstruction>],
-    apart: impl Fn(Id) -> bool,
+    region: impl Fn(Id) -> Option<usize>,
 ) -> HashMap<Id, NodeGroup> {
     let live = || (0..graph.len() as Id).filter(|&x| live[x as usize]);
     let mut groups = HashMap::new();
@@ -277,7 +277,7 @@ pub(crate) fn groups(
             _ => None,
         };
         let Some((op, from)) = found else { continue };
-        if apart(x) == apart(sum) && !groups.contains_key(&sum) {
+        if region(x) == region(sum) && !groups.contains_key(&sum) {
             let group = NodeGroup {
                 op,
                 from,

@@ -30,6 +30,12 @@ enum Location {
     Constant(u32),
 }
 
+/// The most conditions under which a block skips nodes.
+const REGIONS: usize = 3;
+
+/// The part of all nodes, one over this, that a condition of aligned items must make superfluous.
+const SHARE: usize = 8;
+
 struct Lowering<'a> {
     graph: &'a Graph,
     steps: Vec<Option<NodeInstruction>>,
@@ -91,8 +97,7 @@ impl Lowering<'_> {
 pub enum Skipping {
     #[default]
     Never,
-    /// If three quarters of all nodes can be skipped, or a tenth that few items need. Aligned items seldom agree in
-    /// what they need, and the test has a cost.
+    /// If an eighth of all nodes can be skipped. Aligned items seldom agree in what they need, and the test has a cost.
     Much,
     /// If any node can be skipped.
     Any,
@@ -113,24 +118,23 @@ impl Tape {
         let (graph, outputs) = &polished(graph, outputs);
         let live = graph.live(outputs, false);
         let count = |nodes: &[bool]| nodes.iter().filter(|x| **x).count();
-        let share = |skip: &skip::SkipCondition| count(&skip.idle) as f64 / count(&live) as f64;
-        let skip = match skipping {
-            Skipping::Never => None,
+        let whole = count(&live);
+        // A truth of which a block makes no use costs a test of a vector per vector.
+        let skips = match skipping {
+            Skipping::Never => Vec::new(),
             Skipping::Much => {
-                let skip = skip::find(graph, &live, outputs).filter(|skip| share(skip) >= 0.75);
-                let seldom = || skip::find_seldom(graph, &live, outputs);
-                skip.or_else(|| seldom().filter(|skip| share(skip) >= 0.1))
+                skip::find(graph, &live, outputs, REGIONS, |idle| SHARE * idle >= whole)
             }
-            Skipping::Any => skip::find(graph, &live, outputs),
+            Skipping::Any => skip::find(graph, &live, outputs, REGIONS, |_| true),
         };
         let mut needed = outputs.to_vec();
-        needed.extend(skip.as_ref().map(|skip| skip.mask));
+        needed.extend(skips.iter().map(|skip| skip.mask));
         let uses = uses(graph, &live, &needed);
         let steps = cover(graph, &uses);
-        let apart = |x: Id| skip.as_ref().is_some_and(|skip| skip.idle[x as usize]);
+        let region = |x: Id| skips.iter().position(|skip| skip.idle[x as usize]);
         let mut lowering = Lowering {
             graph,
-            groups: groups(graph, &live, &steps, apart),
+            groups: groups(graph, &live, &steps, region),
             steps,
             room: Vec::new(),
             order: Vec::new(),
@@ -144,8 +148,12 @@ impl Tape {
             lowering.room.push(room.unwrap_or(1).max(1));
         }
         let nothing = vec![false; graph.len()];
-        let mut skipped = None;
-        if let Some(skip) = &skip {
+        // What regions need of each other is mostly before.
+        let first = |skip: &&skip::SkipCondition| skip.idle.iter().position(|&idle| idle);
+        let mut ordered: Vec<_> = skips.iter().collect();
+        ordered.sort_by_key(first);
+        let mut regions = Vec::new();
+        for skip in ordered {
             lowering.visit(skip.mask, &nothing);
             let idle = (0..graph.len() as Id).filter(|&x| skip.idle[x as usize]);
             // Nodes inside other instructions are computed with those.
@@ -159,12 +167,14 @@ impl Tape {
             for &x in &idle {
                 lowering.visit(x, &nothing);
             }
-            skipped = Some((first, lowering.order.len(), skip));
+            if first < lowering.order.len() {
+                regions.push((first, lowering.order.len(), skip));
+            }
         }
         for &x in outputs {
             lowering.visit(x, &nothing);
         }
-        assign(lowering, inputs, outputs, skipped)
+        assign(lowering, inputs, outputs, &regions)
     }
 }
 
@@ -173,7 +183,7 @@ fn assign(
     lowering: Lowering<'_>,
     inputs: usize,
     outputs: &[Id],
-    skip: Option<(usize, usize, &skip::SkipCondition)>,
+    regions: &[(usize, usize, &skip::SkipCondition)],
 ) -> Result<Tape, Unrecordable> {
     let graph = lowering.graph;
     let mut left = vec![0; graph.len()];
@@ -186,7 +196,7 @@ fn assign(
     for &x in outputs {
         left[x as usize] += 1;
     }
-    if let Some((_, _, skip)) = skip {
+    for (_, _, skip) in regions {
         left[skip.mask as usize] += 1;
     }
     let mut slots = Slots::new(left.clone());
@@ -213,11 +223,17 @@ fn assign(
     // One slot serves all unused results.
     let mut waste = None;
     let mut code: Vec<(Opcode, [Location; 4], [Location; 4])> = Vec::new();
-    let mut jump = None;
+    let mut jump: Option<usize> = None;
     let zero = Location::Slot(0);
     for at in 0..=lowering.order.len() {
-        if let Some((first, end, skip)) = skip {
-            if at == first && first < end {
+        for &(first, end, skip) in regions {
+            if at == end
+                && let Some(jump) = jump.take()
+            {
+                let count: usize = code.len() - jump - 1;
+                code[jump].1[0] = Location::Slot(count as u32);
+            }
+            if at == first {
                 let op = if skip.all {
                     Opcode::SkipIfAll
                 } else {
@@ -227,10 +243,6 @@ fn assign(
                 slots.read(skip.mask);
                 jump = Some(code.len());
                 code.push((op, [zero; 4], [mask, zero, zero, zero]));
-            }
-            if let (true, Some(jump)) = (at == end, jump) {
-                let count = code.len() - jump - 1;
-                code[jump].1[0] = Location::Slot(count as u32);
             }
         }
         let Some(&x) = lowering.order.get(at) else {

@@ -31,26 +31,62 @@ pub(crate) struct SkipCondition {
 /// The factor below which a comparison concerns the roundings of a number, which few items have.
 const SMALL: f64 = 1.0 / 256.0;
 
+/// The least of numbers that only saturated ones are compared with.
+const HUGE: f64 = 1e30;
+
 /// The number of operations behind a truth that are examined.
 const DEPTH: usize = 8;
 
-/// Returns `true` if few items satisfy a truth: it asks whether a size is as small as a rounding error.
-fn is_seldom(graph: &Graph, mask: Id, depth: usize) -> bool {
-    let Some(depth) = depth.checked_sub(1) else {
-        return false;
-    };
-    let is_small = |x: Id| graph.constant(x).is_some_and(|x| 0.0 < x && x <= SMALL);
+/// Returns the value that a truth has for almost all items, if its form says so. Few numbers are as small as a rounding
+/// error, or saturated, and few of several equal ones are equally good.
+fn usual(graph: &Graph, mask: Id, depth: usize) -> Option<bool> {
+    let depth = depth.checked_sub(1)?;
+    let of = |x: Id| usual(graph, x, depth);
+    let (is_small, is_huge) = (
+        |x: Id| graph.constant(x).is_some_and(|x| 0.0 < x && x <= SMALL),
+        |x: Id, sign: f64| graph.constant(x).is_some_and(|x| sign * x >= HUGE),
+    );
     match graph.at(mask) {
         Node::Lt(a, b) | Node::Le(a, b) => {
             let is_part = match graph.at(b) {
                 Node::Mul(x, y) => is_small(x) || is_small(y),
                 _ => is_small(b),
             };
-            is_part && is_size(graph, a, DEPTH)
+            let is_tie = graph.constant(a) == Some(1.0) && is_number_of_items(graph, b, DEPTH);
+            let is_rare = is_part && is_size(graph, a, DEPTH)
+                || is_huge(a, 1.0)
+                || is_huge(b, -1.0)
+                || is_tie;
+            match is_huge(a, -1.0) || is_huge(b, 1.0) {
+                true => Some(true),
+                false => is_rare.then_some(false),
+            }
         }
-        Node::And(a, b) => is_seldom(graph, a, depth) || is_seldom(graph, b, depth),
-        Node::Or(a, b) => is_seldom(graph, a, depth) && is_seldom(graph, b, depth),
-        _ => false,
+        Node::And(a, b) => match (of(a), of(b)) {
+            (Some(false), _) | (_, Some(false)) => Some(false),
+            (Some(true), Some(true)) => Some(true),
+            _ => None,
+        },
+        Node::Or(a, b) => match (of(a), of(b)) {
+            (Some(true), _) | (_, Some(true)) => Some(true),
+            (Some(false), Some(false)) => Some(false),
+            _ => None,
+        },
+        Node::Not(a) => of(a).map(|truth| !truth),
+        Node::Bool(truth) => Some(truth),
+        _ => None,
+    }
+}
+
+/// Returns `true` if a number counts items: a sum of choices between whole numbers.
+fn is_number_of_items(graph: &Graph, x: Id, depth: usize) -> bool {
+    let Some(depth) = depth.checked_sub(1) else {
+        return false;
+    };
+    let of = |x: Id| is_number_of_items(graph, x, depth);
+    match graph.at(x) {
+        Node::Add(a, b) | Node::Select(_, a, b) => of(a) && of(b),
+        _ => graph.constant(x).is_some_and(|x| x == x.round()),
     }
 }
 
@@ -71,47 +107,29 @@ fn is_size(graph: &Graph, x: Id, depth: usize) -> bool {
     }
 }
 
-/// Returns the truth that few items satisfy and whose absence makes most nodes superfluous.
-pub(crate) fn find_seldom(graph: &Graph, live: &[bool], outputs: &[Id]) -> Option<SkipCondition> {
-    find_by(graph, live, outputs, |mask, all| {
-        !all && is_seldom(graph, mask, DEPTH)
-    })
-}
-
-/// Returns the truth that makes most nodes superfluous; the first of equal ones.
-pub(crate) fn find(graph: &Graph, live: &[bool], outputs: &[Id]) -> Option<SkipCondition> {
-    find_by(graph, live, outputs, |_, _| true)
-}
-
-fn find_by(
+/// Returns truths each of which makes nodes superfluous that no earlier one does: up to `most`, and only those that
+/// `is_worth` says are enough of them. Truths that are usual come first.
+pub(crate) fn find(
     graph: &Graph,
     live: &[bool],
     outputs: &[Id],
-    is_wanted: impl Fn(Id, bool) -> bool,
-) -> Option<SkipCondition> {
+    most: usize,
+    is_worth: impl Fn(usize) -> bool,
+) -> Vec<SkipCondition> {
     let mut search = SkipSearch::new(graph, live, outputs);
-    let mut best: Option<(usize, Id, bool, Vec<Id>)> = None;
-    // Later truths make more nodes superfluous.
-    for mask in (0..graph.len() as Id).rev() {
-        if !search.is_judged[mask as usize] {
-            continue;
-        }
-        for all in [false, true] {
-            let least = best.as_ref().map_or(FEW, |best| best.0);
-            if search.visits < VISITS * graph.len()
-                && is_wanted(mask, all)
-                && let Some((count, nodes)) = search.idle(mask, all, least)
-            {
-                best = Some((count, mask, all, nodes));
+    let mut found = Vec::new();
+    for seldom in [true, false] {
+        while found.len() < most
+            && let Some((count, skip)) = search.best(seldom)
+            && is_worth(count)
+        {
+            for (taken, &idle) in search.taken.iter_mut().zip(&skip.idle) {
+                *taken |= idle;
             }
+            found.push(skip);
         }
     }
-    let (_, mask, all, nodes) = best?;
-    let mut idle = vec![false; graph.len()];
-    for x in nodes {
-        idle[x as usize] = true;
-    }
-    Some(SkipCondition { mask, all, idle })
+    found
 }
 
 /// The search among all truths, one after another.
@@ -132,6 +150,8 @@ struct SkipSearch<'a> {
     lost: Vec<u32>,
     idle: Vec<bool>,
     after: Vec<bool>,
+    /// The nodes that an earlier condition skips.
+    taken: Vec<bool>,
     /// The number of visited nodes.
     visits: usize,
 }
@@ -149,6 +169,7 @@ impl<'a> SkipSearch<'a> {
             lost: vec![0; graph.len()],
             idle: vec![false; graph.len()],
             after: vec![false; graph.len()],
+            taken: vec![false; graph.len()],
             visits: 0,
         };
         for &x in outputs {
@@ -174,11 +195,46 @@ impl<'a> SkipSearch<'a> {
         }
         search
     }
+    /// Returns the truth that makes most nodes superfluous, the first of equal ones, and how many of them are computed: of
+    /// all truths, or of those that almost all items agree in.
+    fn best(&mut self, seldom: bool) -> Option<(usize, SkipCondition)> {
+        self.visits = 0;
+        let mut best: Option<(usize, Id, bool, Vec<Id>)> = None;
+        // Later truths make more nodes superfluous.
+        for mask in (0..self.graph.len() as Id).rev() {
+            // A truth that is skipped itself decides nothing.
+            if !self.is_judged[mask as usize] || self.taken[mask as usize] {
+                continue;
+            }
+            for all in [false, true] {
+                let least = best.as_ref().map_or(FEW, |best| best.0);
+                let usual = usual(self.graph, mask, DEPTH);
+                if self.visits < VISITS * self.graph.len()
+                    // A condition that almost no block meets gains nothing.
+                    && usual != Some(!all)
+                    && (!seldom || usual == Some(all))
+                    && let Some((count, nodes)) = self.idle(mask, all, least)
+                {
+                    best = Some((count, mask, all, nodes));
+                }
+            }
+        }
+        let (count, mask, all, nodes) = best?;
+        let mut idle = vec![false; self.graph.len()];
+        for x in nodes {
+            idle[x as usize] = true;
+        }
+        Some((count, SkipCondition { mask, all, idle }))
+    }
     /// Returns the nodes that are superfluous if a truth is known, and how many of them are computed, if there are at
-    /// least `least`. It excludes nodes that the truth itself needs, or a later node that matters.
+    /// least `least`. It excludes nodes that the truth itself needs, or a later node that matters, and those of earlier
+    /// conditions.
     fn idle(&mut self, mask: Id, truth: bool, least: usize) -> Option<(usize, Vec<Id>)> {
         self.consequences(mask, truth);
         let (mut nodes, read) = self.cut_off(mask);
+        for &x in &nodes {
+            self.idle[x as usize] &= !self.taken[x as usize];
+        }
         let mut found = None;
         if self.count(&nodes) >= least {
             self.keep_sines(&nodes);
@@ -206,6 +262,12 @@ impl<'a> SkipSearch<'a> {
             if self.known.insert(m, truth).is_some() {
                 continue;
             }
+            match self.graph.at(m) {
+                Node::And(a, b) if truth => open.extend([(a, true), (b, true)]),
+                Node::Or(a, b) if !truth => open.extend([(a, false), (b, false)]),
+                Node::Not(a) => open.push((a, !truth)),
+                _ => {}
+            }
             for &x in self.readers.get(&m).into_iter().flatten() {
                 self.visits += 1;
                 match self.graph.at(x) {
@@ -225,9 +287,11 @@ impl<'a> SkipSearch<'a> {
                 Some(&truth) => k == if truth { 2 } else { 1 },
                 None => false,
             },
-            Node::And(..) | Node::Or(..) if x != mask => {
-                let own = self.known.get(&x);
-                own.is_some() && self.known.get(&y) != own
+            // The other operand decides, if it is known to.
+            Node::And(a, b) | Node::Or(a, b) if x != mask => {
+                let decides = matches!(self.graph.at(x), Node::Or(..));
+                let known = |y: Id| self.known.get(&y) == Some(&decides);
+                known(x) && known(if k == 0 { b } else { a }) && !known(y)
             }
             _ => false,
         }
