@@ -19,6 +19,7 @@ use crate::{Real, Unrecordable};
 use std::any::TypeId;
 use std::fmt;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// An untyped search, or a derivative of one.
 pub(crate) struct UntypedSearch<T: 'static> {
@@ -81,6 +82,8 @@ pub struct Recording<T: Real> {
     /// The lower bound of its result, from boxes around its arguments.
     pub(crate) lower: LowerBound,
     pub(crate) body: Body<T>,
+    /// The number of this recording, unique in the process.
+    pub(crate) number: u64,
     made: RecordingCache,
 }
 
@@ -112,7 +115,9 @@ impl<T: Real> Recording<T> {
         arguments: &'static [&'static str],
         body: Body<T>,
     ) -> Self {
+        static NEXT: AtomicU64 = AtomicU64::new(1);
         Recording {
+            number: NEXT.fetch_add(1, Ordering::Relaxed),
             takes,
             outputs,
             arguments,

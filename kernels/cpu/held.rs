@@ -18,7 +18,7 @@ impl<T: Real> MachineColumn<T> for Numbers<T> {
         check_numbers(Argument::Shape, leaf, numbers)
     }
     fn update(&mut self, rows: Vec<T>) {
-        self.rows = rows;
+        self.replace(rows);
     }
     fn started(&self, all: &[Box<dyn MachineColumn<T>>]) -> Result<Pending<Vec<Vec<T>>>, Error> {
         let all = all

@@ -5,6 +5,7 @@
 
 use crate::Real;
 use crate::scalar::real::in_format;
+use std::any::Any;
 use std::cell::RefCell;
 use std::ops::{Deref, DerefMut};
 use std::thread::LocalKey;
@@ -195,6 +196,25 @@ pub(crate) fn with_room<T: Real, R>(
     result
 }
 
+/// Calls `run` with this thread's value of a type: the default, or as the last call left it.
+pub(crate) fn with_kept<X: Default + 'static, R>(run: impl FnOnce(&mut X) -> R) -> R {
+    thread_local! {
+        static KEPT: RefCell<Vec<Box<dyn Any>>> = const { RefCell::new(Vec::new()) };
+    }
+    // Taken out, since `run` may come here again.
+    let mut own: Box<dyn Any> = KEPT.with(|kept| {
+        let mut all = kept.borrow_mut();
+        match all.iter().position(|own| own.is::<X>()) {
+            Some(at) => all.swap_remove(at),
+            None => Box::new(X::default()),
+        }
+    });
+    let mut other = X::default();
+    let result = run(own.downcast_mut().unwrap_or(&mut other));
+    KEPT.with(|kept| kept.borrow_mut().push(own));
+    result
+}
+
 /// The limits of a thread's stock: the number of lists and buffers, and the lanes of each, half a megabyte in single
 /// precision. Filling a longer list takes longer than allocating it.
 const KEPT_LISTS: usize = 8;
@@ -218,8 +238,10 @@ impl<T: Real> LaneBuffer<T> {
         }
         let old = stock::<T>().with(|kept| {
             let mut lists = kept.lists.borrow_mut();
-            let fitting = lists.iter().position(|lanes| lanes.len() >= count);
-            fitting.map(|at| lists.swap_remove(at))
+            // The shortest one, so that long ones are left for those that need them.
+            let fitting = lists.iter().enumerate().filter(|own| own.1.len() >= count);
+            let (at, _) = fitting.min_by_key(|own| own.1.len())?;
+            Some(lists.swap_remove(at))
         });
         let lanes = old.unwrap_or_else(|| vec![Lane::default(); count]);
         LaneBuffer { lanes, count }

@@ -6,7 +6,7 @@
 use crate::Real;
 use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::lane::{
-    BLOCK, LaneBuffer, Planes, ResultTiles, TILE, Tiles, planes, tiles,
+    BLOCK, LaneBuffer, Planes, ResultTiles, TILE, Tiles, planes, tiles, with_kept,
 };
 use crate::kernels::cpu::lower_bounds::{Boxes, Open};
 use crate::kernels::cpu::plan::Plan;
@@ -117,7 +117,7 @@ pub(crate) struct Search<'a, T: Real> {
     /// The shapes of both lists, checked.
     pub lists: &'a [Column<'a, T>; 2],
     /// The boxes around the shapes of both lists, if they bound results.
-    pub boxes: Option<[Boxes<T>; 2]>,
+    pub boxes: Option<[&'a Boxes<T>; 2]>,
     /// `true` if results are squares of distances.
     pub squared: bool,
     pub groups: GroupSpans<'a>,
@@ -277,12 +277,16 @@ impl<T: Real> Piece<'_, T> {
             }
             return pairs.finish(&mut |pair, value| self.take(pair, value));
         };
-        let mut open: Vec<Open<T>> = Vec::new();
-        open.resize_with(TOGETHER.min(own.len()), Open::default);
-        for start in own.clone().step_by(TOGETHER) {
-            let now = start..own.end.min(start + TOGETHER);
-            self.run_together(boxes, now, &mut open, &mut pairs);
-        }
+        with_kept(|open: &mut Vec<Open<T>>| {
+            if open.len() < TOGETHER.min(own.len()) {
+                open.resize_with(TOGETHER.min(own.len()), Open::default);
+            }
+            for start in own.clone().step_by(TOGETHER) {
+                let now = start..own.end.min(start + TOGETHER);
+                self.run_together(boxes, now, open, &mut pairs);
+            }
+            open.retain(Open::is_short);
+        });
     }
     /// Adds a pair to those that are computed together.
     fn add(&mut self, pairs: &mut PairTiles<'_, T>, own: usize, other: u32) {
@@ -295,14 +299,14 @@ impl<T: Real> Piece<'_, T> {
     /// Computes own items whose pairs share tiles.
     fn run_together(
         &mut self,
-        boxes: &[Boxes<T>; 2],
+        boxes: &[&Boxes<T>; 2],
         now: Range<usize>,
         open: &mut [Open<T>],
         pairs: &mut PairTiles<'_, T>,
     ) {
         let search = self.search;
         let (side, squared) = (search.side(), search.squared);
-        let (mine, others) = (&boxes[side], &boxes[1 - side]);
+        let (mine, others) = (boxes[side], boxes[1 - side]);
         let offsets = search.offsets()[1];
         let is_least = !matches!(search.wanted, Least::Below(_));
         for (own, open) in now.clone().zip(&mut *open) {

@@ -257,7 +257,14 @@ fn least<T: Real>(lane: &Lane<T>) -> T {
     lower(lower(a, b), lower(c, d))
 }
 
+/// The number of tiles up to which a search's room is kept for the next one.
+const SHORT: usize = 64;
+
 impl<T: Real> Open<T> {
+    /// Returns `true` if its room is small.
+    pub(crate) fn is_short(&self) -> bool {
+        self.bounds.capacity() <= SHORT && self.near.capacity() <= SHORT * TILE
+    }
     /// Removes up to two others with a bound up to a limit, and passes their places: those of the least bounds of two
     /// tiles.
     pub(crate) fn first(&mut self, limit: T, mut pass: impl FnMut(u32)) {

@@ -202,7 +202,7 @@ impl<T: Real> Engine<T> for Processor {
                 let mut found = Vec::new();
                 for &fields in &plan.gives {
                     let rows = vec![T::default(); entries(count, 1, fields)?];
-                    found.push(Numbers { fields, rows });
+                    found.push(Numbers::new(fields, rows));
                 }
                 let targets = found.iter_mut();
                 let targets = targets.map(|own| Some(Target::of_rows(&mut own.rows, own.fields)));
@@ -306,15 +306,30 @@ impl<T: Real> Engine<T> for Processor {
         if lists.iter().any(|list| list.len() >= u32::MAX as usize) {
             return Err(Error::TooLarge);
         }
-        for (k, list) in lists.iter().enumerate() {
-            check_argument(k, &plan.arguments, list)?;
-        }
         let sorted = groups.count() == 1;
-        let boxes = bounds.map(|bounds| [0, 1].map(|k| Boxes::of(&lists[k], &bounds[k], sorted)));
+        // Boxes around a list are kept with it if the machine holds it.
+        let boxes_of = |k: usize| {
+            let make = || {
+                check_argument(k, &plan.arguments, &lists[k])?;
+                let bounds = bounds.as_ref();
+                Ok(bounds.map(|bounds| Boxes::of(&lists[k], &bounds[k], sorted)))
+            };
+            let held = lists[k].held.and_then(|own| own.any().downcast_ref());
+            match held {
+                Some(Numbers::<T> { prepared, .. }) if bounds.is_some() => {
+                    prepared.made((recording.number, k, sorted), make)
+                }
+                _ => make().map(Arc::new),
+            }
+        };
+        let boxes = [boxes_of(0)?, boxes_of(1)?];
         let search = Search {
             plan: &plan,
             lists,
-            boxes,
+            boxes: match &boxes.each_ref().map(|own| own.as_ref().as_ref()) {
+                [Some(a), Some(b)] => Some([a, b]),
+                _ => None,
+            },
             squared: call.lower == LowerBound::SquaredDistance,
             groups,
             wanted,
@@ -392,10 +407,7 @@ impl<T: Real> Engine<T> for Processor {
         let columns = own.into_iter().map(|own| {
             let rows = found.0.iter();
             let row = |best: &Best<T>| &own.rows[best.index * own.fields..][..own.fields];
-            Numbers {
-                fields: own.fields,
-                rows: rows.flat_map(row).copied().collect(),
-            }
+            Numbers::new(own.fields, rows.flat_map(row).copied().collect())
         });
         self.keep(found.0.len(), columns.collect())
     }

@@ -22,10 +22,9 @@ impl Machine<dyn Engine<f32>> {
     #[doc(hidden)]
     pub fn upload_rows(&self, columns: &[Rows<'_, f32>]) -> Result<HeldNumbers, Error> {
         let count = columns.first().and_then(Rows::count).unwrap_or(0);
-        let numbers = columns.iter().map(|rows| Numbers {
-            fields: rows.fields(),
-            rows: rows.numbers().into_owned(),
-        });
+        let numbers = columns
+            .iter()
+            .map(|rows| Numbers::new(rows.fields(), rows.numbers().into_owned()));
         self.engine.keep(count, numbers.collect())
     }
 
@@ -92,7 +91,8 @@ impl Machine<dyn Engine<f32>> {
             .pull_back(&run.call()?, &lists, &seed, [&mut by_a, &mut by_b])?;
         let kept = |list: &Column<'_, f32>, rows| {
             let fields = list.fields;
-            self.engine.keep(list.len(), vec![Numbers { fields, rows }])
+            self.engine
+                .keep(list.len(), vec![Numbers::new(fields, rows)])
         };
         Ok([kept(&lists[0], by_a)?, kept(&lists[1], by_b)?])
     }

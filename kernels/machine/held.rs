@@ -82,7 +82,7 @@ pub(crate) fn numbers_of<R: Item>(
         if flaw.is_ok() {
             flaw = check(all.len(), leaf, &rows);
         }
-        all.push(Numbers { fields, rows });
+        all.push(Numbers::new(fields, rows));
     });
     flaw.map(|()| all)
 }

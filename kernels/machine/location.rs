@@ -142,7 +142,7 @@ impl Place for There {
         rows: Vec<P::Scalar>,
     ) -> Result<Held<P>, Error> {
         let fields = crate::kernels::row::item::width::<P>();
-        let numbers = super::Numbers { fields, rows };
+        let numbers = super::Numbers::new(fields, rows);
         Ok(Held::of(engine.keep(count, vec![numbers])?))
     }
 }

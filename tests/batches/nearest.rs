@@ -296,6 +296,53 @@ fn threads_and_bounds_change_nothing() {
     assert!(alone == run(Cpu::new().culled(false)));
 }
 
+/// A list on the machine keeps boxes around its shapes for each function, until it is updated.
+#[test]
+fn held_lists_find_what_lists_in_memory_do() {
+    let mut dice = Dice(9);
+    let links = capsules(&mut dice, 20, 0.5);
+    let lists = [
+        boxes(&mut dice, 700, 0.5),
+        boxes(&mut dice, 700, 0.5),
+        boxes(&mut dice, 700, 2.0),
+    ];
+    let cpu = Cpu::new();
+    let mut held = cpu.upload(&lists[0]).unwrap();
+    let cap = f64::INFINITY;
+    for cubes in &lists {
+        held.update(cubes).unwrap();
+        for _ in 0..2 {
+            for part in [&links[..1], &links[3..], &links] {
+                let here = cpu.nearest_grad(SignedDistance, part, cubes, cap);
+                let there = cpu.nearest_grad(SignedDistance, part, &held, cap);
+                assert!(here.unwrap() == there.unwrap());
+                let here = cpu.row_min(Distance, part, cubes).unwrap();
+                assert_eq!(here, cpu.row_min(Distance, part, &held).unwrap());
+                let all = cpu.culled(false).row_min(Distance, part, &held).unwrap();
+                assert_eq!(here, all);
+            }
+            let ends = ([0, 5, 20], [0, 600, 700]);
+            let groups = || Groups::new(&ends.0, &ends.1);
+            let here = cpu.nearest_grouped(SignedDistance, &links, cubes, groups(), cap);
+            let there = cpu.nearest_grouped(SignedDistance, &links, &held, groups(), cap);
+            assert_eq!(here.unwrap(), there.unwrap());
+        }
+    }
+    let fault = held.update(
+        &[Obb3::new(
+            Vec3::zero(),
+            Vec3::new(-1.0, 1.0, 1.0),
+            lists[0][0].rotation,
+        ); 700],
+    );
+    assert!(matches!(fault, Err(Error::Invalid { item: 0, .. })));
+    let here = cpu.nearest(SignedDistance, &links, &lists[2], cap).unwrap();
+    assert_eq!(
+        here,
+        cpu.nearest(SignedDistance, &links, &held, cap).unwrap()
+    );
+}
+
 fn less<S: Scalar>(a: Vec2<S>, b: Vec2<S>) -> S {
     -(a - b).length()
 }
