@@ -11,8 +11,9 @@ use std::marker::PhantomData;
 
 /// An array on the machine: shapes, numbers, or tuples of these.
 ///
-/// On the CPU these are plain vectors, on a GPU buffers. Preparations of an operation (sines of headings, frames of
-/// boxes) are computed at its first call and kept.
+/// On the CPU these are plain vectors, on a GPU buffers. A GPU keeps what an operation prepares of them at its first
+/// call (sines of headings, frames of boxes), the CPU the boxes around their shapes among which it searches for the
+/// nearest.
 pub struct Held<R: Results> {
     stored: Stored<R::Scalar>,
     item: PhantomData<fn() -> R>,

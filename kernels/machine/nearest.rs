@@ -42,6 +42,8 @@ macro_rules! calls {
         /// one's own if it [says so](crate::kernels::at_least). Without one it computes all pairs. Results have the
         /// bits of a search through all pairs, for any number of threads.
         ///
+        /// Boxes around an array on the machine are kept with it: obstacles that many calls share belong there.
+        ///
         /// Only finite results count. Of equal results the first counts, in the order of rows and then of columns;
         /// gradients share them: of `k` equal pairs each has one `k`-th. A cap of infinity is none. Pairs that a lower
         /// bound shows to be beyond the cap are not computed.

@@ -208,18 +208,21 @@ impl Needed {
         }
         vectors
     }
-    /// Passes the ranges of items whose vectors are needed, of `width` items each.
+    /// Passes the ranges of items whose vectors are needed at an instruction, of `width` items each.
     #[inline(always)]
-    fn ranges(self, width: usize, mut pass: impl FnMut(Range<usize>)) {
-        let mut vectors = self.vectors;
-        if vectors == u64::MAX {
-            return pass(0..usize::MAX);
-        }
+    fn ranges(self, at: usize, width: usize, mut pass: impl FnMut(Range<usize>)) {
+        let all = at >= self.end || self.vectors == u64::MAX;
+        let mut vectors = if all { 1 } else { self.vectors };
         while vectors != 0 {
             let first = vectors.trailing_zeros();
             let end = first + (vectors >> first).trailing_ones();
-            vectors &= u64::MAX << end;
-            pass(first as usize * width..end as usize * width);
+            vectors &= u64::MAX.checked_shl(end).unwrap_or(0);
+            let end = if all {
+                usize::MAX
+            } else {
+                end as usize * width
+            };
+            pass(first as usize * width..end);
         }
     }
 }
@@ -339,10 +342,7 @@ pub(crate) fn carry_out<T: Real, V: Vector<T>>(
         {
             // A jump may have skipped the run.
             if run.from == next {
-                match next < needed.end {
-                    true => needed.ranges(V::WIDTH, |items| native.run(run, memory.width, items)),
-                    false => native.run(run, memory.width, 0..usize::MAX),
-                }
+                needed.ranges(next, V::WIDTH, |items| native.run(run, memory.width, items));
                 next = run.to;
             }
             runs = others;
