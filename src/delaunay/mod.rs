@@ -1,8 +1,9 @@
 //! Delaunay triangulations: the triangles of points in whose circles there are no others.
 //!
 //! [`Delaunay::search`] decides with exact signs; [`Delaunay::areas`] and [`Delaunay::circumcircles`] measure its triangles in any
-//! scalar, so duals of the points pass through. [`Delaunay::locate`] finds the triangles around places. Voronoi cells, clipped and
-//! with weights, are in [`cells`](crate::cells).
+//! scalar, so duals of the points pass through. [`Delaunay::locate`] finds the triangles around places,
+//! [`Delaunay::barycentric`] the weights of their corners. Voronoi cells, clipped and with weights, are in
+//! [`cells`](crate::cells).
 //!
 //! ```
 //! use geograd::{Vec2, delaunay::Delaunay};
@@ -27,9 +28,11 @@
 //!
 //! Areas and circles are smooth while the triangles stay. A diagonal changes where four points come to lie on a circle: areas
 //! and circles of triangles jump there. Sums that do not depend on the diagonal, such as that of all areas, are smooth.
+mod barycentric;
 mod divide_and_conquer;
 mod half_edges;
 mod triangle_walk;
 mod triangulation;
 
+pub use barycentric::TrianglePlace;
 pub use triangulation::Delaunay;

@@ -2,7 +2,7 @@
 use super::cases::at;
 use geograd::delaunay::Delaunay;
 use geograd::error::{Argument, Error};
-use geograd::{Vec2, gradient, jacobian};
+use geograd::{Scalar, Vec2, gradient, jacobian};
 use geograd_tests::Dice;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -325,4 +325,131 @@ fn places_are_located_in_the_lowest_triangle_that_contains_them() {
         search(&[[0, 0], [1, 1], [2, 2]]).locate(&placed(&[[0, 0]; 3]), &[at(0.0, 0.0)]),
         [None]
     );
+}
+
+/// The weights that whole numbers give, next to those of doubles, at three scales; means of corners are places.
+#[test]
+fn weights_of_places_are_those_of_whole_numbers() {
+    let mut dice = Dice(8);
+    for round in 0..300 {
+        let (count, side) = (3 + dice.below(30), [3, 9, 1000, 1 << 26][round % 4]);
+        let mut one = || 2 * (dice.below(side) as i128 - side as i128 / 2);
+        let all: Vec<Spot> = (0..count).map(|_| [one(), one()]).collect();
+        let mut spots = all.clone();
+        spots.extend((0..30).map(|_| [one() + 1, one()]));
+        let found = search(&all);
+        for size in [1.0, 2.0_f64.powi(-900), 2.0_f64.powi(900)] {
+            let [points, places] = [&all, &spots].map(|own| {
+                let own = placed(own).into_iter();
+                own.map(|p| p * size).collect::<Vec<_>>()
+            });
+            let located = found.locate(&points, &places);
+            let weighted = found.barycentric(&points, &places);
+            for ((own, number), &spot) in weighted.iter().zip(located).zip(&spots) {
+                assert_eq!(own.map(|own| own.triangle), number);
+                let Some(own) = own else { continue };
+                let corners = found.triangles()[own.triangle as usize].map(|k| all[k as usize]);
+                let [a, b, c] = corners;
+                let whole = turn(a, b, c) as f64;
+                for (weight, area) in
+                    own.weights
+                        .iter()
+                        .zip([turn(b, c, spot), turn(c, a, spot), turn(a, b, spot)])
+                {
+                    let expected = area as f64 / whole;
+                    assert!(
+                        (weight - expected).abs() < 1e-12 && *weight >= 0.0,
+                        "{corners:?} {spot:?} {own:?}"
+                    );
+                    assert!(area != 0 || *weight == 0.0);
+                }
+            }
+        }
+    }
+}
+
+/// A linear function is its own interpolation. Cotangents are those of duals, which differences agree with.
+#[test]
+fn weights_of_places_have_derivatives() {
+    let mut dice = Dice(12);
+    let points: Vec<Vec2<f64>> = (0..20).map(|_| at(dice.roll(), dice.roll())).collect();
+    let places: Vec<Vec2<f64>> = (0..30).map(|_| at(dice.roll(), dice.roll())).collect();
+    let found = Delaunay::search(&points).unwrap();
+    let own = found.barycentric(&points, &places);
+    assert!(own.iter().flatten().count() > 10);
+    let bars: Vec<[f64; 3]> = places
+        .iter()
+        .map(|_| [0; 3].map(|_| dice.within(-1.0, 1.0)))
+        .collect();
+    let [by_points, by_places] = found.barycentric_vjp(&points, &places, &own, &bars);
+    fn sum<S: Scalar<Mask = bool>>(
+        found: &Delaunay,
+        points: &[Vec2<S>],
+        places: &[Vec2<S>],
+        bars: &[[f64; 3]],
+    ) -> S {
+        let all = found.barycentric(points, places);
+        let terms = all.iter().zip(bars).filter_map(|(own, bars)| {
+            let own = own.as_ref()?;
+            Some(
+                own.weights
+                    .iter()
+                    .zip(bars)
+                    .fold(S::zero(), |sum, (&w, &bar)| sum + w * S::lit(bar)),
+            )
+        });
+        terms.fold(S::zero(), |sum, term| sum + term)
+    }
+    let lifted = |all: &[Vec2<f64>]| all.to_vec();
+    let (_, by_dual_points) = gradient(
+        |all: Vec<Vec2<_>>| {
+            let still: Vec<_> = places
+                .iter()
+                .map(|p| Vec2::new(Scalar::lit(p.x), Scalar::lit(p.y)))
+                .collect();
+            sum(&found, &all, &still, &bars)
+        },
+        lifted(&points),
+    );
+    let (_, by_dual_places) = gradient(
+        |all: Vec<Vec2<_>>| {
+            let still: Vec<_> = points
+                .iter()
+                .map(|p| Vec2::new(Scalar::lit(p.x), Scalar::lit(p.y)))
+                .collect();
+            sum(&found, &still, &all, &bars)
+        },
+        lifted(&places),
+    );
+    for (by, dual) in by_points
+        .iter()
+        .chain(&by_places)
+        .zip(by_dual_points.iter().chain(&by_dual_places))
+    {
+        assert!(
+            (*by - *dual).length() < 1e-9 * (1.0 + dual.length()),
+            "{by:?} {dual:?}"
+        );
+    }
+    let step = 1e-7;
+    for (k, dual) in by_dual_places.iter().enumerate() {
+        let mut moved = places.clone();
+        moved[k].y += step;
+        let numbers = |all: &[Vec2<f64>]| found.locate(&points, all)[k];
+        if numbers(&moved) == numbers(&places) {
+            let slope =
+                (sum(&found, &points, &moved, &bars) - sum(&found, &points, &places, &bars)) / step;
+            assert!(
+                (slope - dual.y).abs() < 1e-4 * (1.0 + dual.y.abs()),
+                "{k} {slope} {dual:?}"
+            );
+        }
+    }
+    let height = |p: &Vec2<f64>| 3.0 * p.x - 2.0 * p.y + 0.5;
+    for (own, place) in own.iter().zip(&places) {
+        let Some(own) = own else { continue };
+        let corners = found.triangles()[own.triangle as usize].map(|k| height(&points[k as usize]));
+        let mean: f64 = corners.iter().zip(own.weights).map(|(h, w)| h * w).sum();
+        assert!((mean - height(place)).abs() < 1e-12);
+    }
 }
