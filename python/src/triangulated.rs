@@ -59,6 +59,44 @@ impl DelaunayCore {
         let all = found.into_iter().map(|own| own.map_or(-1, i64::from));
         Ok(PyArray1::from_iter(py, all))
     }
+    /// Returns the triangle around each place, −1 outside of all, and the weights of its corners, three each.
+    fn barycentric<'py>(
+        &self,
+        py: Python<'py>,
+        places: &Object<'py>,
+    ) -> PyResult<(Indices<'py>, Bound<'py, PyArray1<f64>>)> {
+        let places = vectors(places)?;
+        let found = py.detach(|| self.found.barycentric(&self.points, &places));
+        let numbers = found
+            .iter()
+            .map(|own| own.map_or(-1, |own| i64::from(own.triangle)));
+        let weights = found
+            .iter()
+            .flat_map(|own| own.map_or([0.0; 3], |own| own.weights));
+        Ok((
+            PyArray1::from_iter(py, numbers),
+            PyArray1::from_iter(py, weights),
+        ))
+    }
+    /// Returns cotangents of the points and of the places from those of the weights.
+    fn barycentric_vjp<'py>(
+        &self,
+        py: Python<'py>,
+        places: &Object<'py>,
+        upstream: &Object<'py>,
+    ) -> PyResult<[Object<'py>; 2]> {
+        let (places, upstream) = (vectors(places)?, numbers::<f64>(upstream)?);
+        let [by_points, by_places] = py.detach(|| {
+            let found = self.found.barycentric(&self.points, &places);
+            let bars = upstream.as_chunks().0;
+            self.found
+                .barycentric_vjp(&self.points, &places, &found, bars)
+        });
+        Ok([
+            in_plane(py, by_points.into_iter())?,
+            in_plane(py, by_places.into_iter())?,
+        ])
+    }
     /// Returns centres and radii.
     fn circles<'py>(&self, py: Python<'py>) -> PyResult<(Object<'py>, Bound<'py, PyArray1<f64>>)> {
         let all = self.found.circumcircles(&self.points);

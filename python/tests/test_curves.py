@@ -178,3 +178,46 @@ def test_places_are_located_as_by_scipy():
     assert mesh.locate(np.zeros((0, 2))).shape == (0,)
     with pytest.raises(ValueError, match="places"):
         mesh.locate([1.0, 2.0])
+
+
+def test_weights_interpolate_as_scipy_does():
+    interpolate = pytest.importorskip("scipy.interpolate")
+    draw = np.random.default_rng(12)
+    points, places, heights = draw.uniform(0, 1, (300, 2)), draw.uniform(-0.1, 1.1, (1000, 2)), draw.normal(size=300)
+    mesh = geograd.Delaunay(points)
+    triangles, weights = mesh.barycentric(places)
+    np.testing.assert_array_equal(triangles, mesh.locate(places))
+    is_inside = triangles >= 0
+    assert (weights[~is_inside] == 0).all() and 500 < is_inside.sum() < 1000
+    np.testing.assert_allclose(weights[is_inside].sum(1), 1, rtol=1e-15)
+    found = (heights[mesh.triangles[triangles]] * weights).sum(1)
+    expected = interpolate.LinearNDInterpolator(points, heights)(places)
+    np.testing.assert_allclose(found[is_inside], expected[is_inside], rtol=1e-9, atol=1e-9)
+
+
+def test_weights_have_derivatives():
+    draw = np.random.default_rng(13)
+    points, places, heights = draw.uniform(0, 1, (40, 2)), draw.uniform(0.2, 0.8, (60, 2)), draw.normal(size=40)
+    mesh = geograd.Delaunay(points)
+    triangles, weights = mesh.barycentric(places)
+    corners = mesh.triangles[triangles]
+    by_points, by_places = mesh.barycentric_vjp(places, np.where(triangles[:, None] >= 0, heights[corners], 0))
+
+    def heights_at(points, places):
+        a, b, c = np.moveaxis(points[corners], 1, 0)
+        basis = np.stack([b - a, c - a], -1)
+        shares = np.linalg.solve(basis, (places - a)[..., None])[..., 0]
+        rise = np.stack([heights[corners[:, 1]] - heights[corners[:, 0]], heights[corners[:, 2]] - heights[corners[:, 0]]], -1)
+        return (heights[corners[:, 0]] + (shares * rise).sum(1))[triangles >= 0].sum()
+
+    for place in np.ndindex(5, 2):
+        step = np.zeros_like(points)
+        step[place] = 1e-6
+        slope = (heights_at(points + step, places) - heights_at(points - step, places)) / 2e-6
+        np.testing.assert_allclose(by_points[place], slope, rtol=1e-5, atol=1e-6)
+        step = np.zeros_like(places)
+        step[place] = 1e-6
+        slope = (heights_at(points, places + step) - heights_at(points, places - step)) / 2e-6
+        np.testing.assert_allclose(by_places[place], slope, rtol=1e-5, atol=1e-6)
+    with pytest.raises(ValueError, match="weights_bar"):
+        mesh.barycentric_vjp(places, np.zeros(60))

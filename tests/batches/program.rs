@@ -111,7 +111,7 @@ fn line<S: Scalar>(seed: u64, steps: usize, inputs: &[S]) -> [S; OUTPUTS] {
         x
     };
     let [m, n] = [0, 1].map(|k| masks[(dice.below(2) + k) % masks.len()]);
-    if seed % 2 == 0 {
+    if seed.is_multiple_of(2) {
         // Only some items need the product.
         let costly = numbers[numbers.len() - 1] * numbers[numbers.len() - 2];
         return outputs(S::select(m, S::one(), costly), &numbers, steps, &mut dice);

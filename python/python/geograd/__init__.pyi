@@ -220,6 +220,10 @@ class Delaunay:
         """The centres and radii of the circles around the triangles."""
     def locate(self, places: ArrayLike) -> Array:
         """The triangle that contains each place, -1 outside of all, of shape (M,)."""
+    def barycentric(self, places: ArrayLike) -> tuple[Array, Array]:
+        """The triangle that contains each place, and the weights of its corners, of shape (M, 3)."""
+    def barycentric_vjp(self, places: ArrayLike, weights_bar: ArrayLike) -> tuple[Array, Array]:
+        """Cotangents of the points and of the places from those of the weights."""
     def areas_vjp(self, areas_bar: ArrayLike) -> Array:
         """Cotangents of the points from those of the areas."""
 

@@ -17,10 +17,10 @@ def _points(points, name="points"):
     return np.ascontiguousarray(points, np.float64)
 
 
-def _bars(bars, count, name):
+def _bars(bars, shape, name):
     bars = np.ascontiguousarray(bars, np.float64)
-    if bars.shape != (count,):
-        raise ValueError(f"{name}: an array of shape ({count},) is needed, not {bars.shape}")
+    if bars.shape != shape:
+        raise ValueError(f"{name}: an array of shape {shape} is needed, not {bars.shape}")
     return bars
 
 
@@ -227,7 +227,7 @@ class CurvePath:
     def distance_vjp(self, points, upstream):
         """Cotangents of the numbers and of the points, from those of the distances."""
         points = _points(points)
-        return self._core.distance_vjp(points, _bars(upstream, len(points), "upstream"))
+        return self._core.distance_vjp(points, _bars(upstream, (len(points),), "upstream"))
 
     def winding_number(self, points):
         """How often the contours go around each point, counter-clockwise ones positive, of shape (N,)."""
@@ -314,6 +314,26 @@ class Delaunay:
         """
         return self._core.locate(_points(places, "places"))
 
+    def barycentric(self, places):
+        """The triangle that contains each place of shape (M, 2), as :meth:`locate`, and the weights of its corners, of shape (M, 3).
+
+        Weights are from 0 to 1 and add up to 1; they are zeros outside of all triangles. The mean of numbers at the corners by
+        these weights is their linear interpolation.
+
+        >>> mesh = geograd.Delaunay([(0, 0), (4, 0), (0, 4)])
+        >>> triangles, weights = mesh.barycentric([(1, 2)])
+        >>> heights = np.array([10.0, 20.0, 30.0])
+        >>> (heights[mesh.triangles[triangles]] * weights).sum(1)
+        array([22.5])
+        """
+        triangles, weights = self._core.barycentric(_points(places, "places"))
+        return triangles, weights.reshape(-1, 3)
+
+    def barycentric_vjp(self, places, weights_bar):
+        """Cotangents of the points and of the places from those of the weights, of shape (M, 3)."""
+        places = _points(places, "places")
+        return tuple(self._core.barycentric_vjp(places, _bars(weights_bar, (len(places), 3), "weights_bar")))
+
     def areas_vjp(self, areas_bar):
         """Cotangents of the points from those of the areas."""
-        return self._core.areas_vjp(_bars(areas_bar, len(self), "areas_bar"))
+        return self._core.areas_vjp(_bars(areas_bar, (len(self),), "areas_bar"))
