@@ -33,8 +33,9 @@ enum Location {
 /// The most conditions under which a block skips nodes.
 const REGIONS: usize = 3;
 
-/// The part of all nodes, one over this, that a condition of aligned items must make superfluous.
-const SHARE: usize = 8;
+/// The number of nodes from which on a condition of aligned items is worth it, if it makes an eighth superfluous. Between
+/// shorter parts numbers would go through memory that stay in registers.
+const LONG: usize = 256;
 
 struct Lowering<'a> {
     graph: &'a Graph,
@@ -97,9 +98,10 @@ impl Lowering<'_> {
 pub enum Skipping {
     #[default]
     Never,
-    /// If an eighth of all nodes can be skipped. Aligned items seldom agree in what they need, and the test has a cost.
+    /// If three quarters of all nodes can be skipped, an eighth of a long program, or a tenth that few items need. Aligned
+    /// items seldom agree in what they need, and the test has a cost.
     Much,
-    /// If any node can be skipped.
+    /// If any node can be skipped, by further conditions an eighth of all.
     Any,
 }
 
@@ -122,10 +124,14 @@ impl Tape {
         // A truth of which a block makes no use costs a test of a vector per vector.
         let skips = match skipping {
             Skipping::Never => Vec::new(),
-            Skipping::Much => {
-                skip::find(graph, &live, outputs, REGIONS, |idle| SHARE * idle >= whole)
-            }
-            Skipping::Any => skip::find(graph, &live, outputs, REGIONS, |_| true),
+            Skipping::Much => skip::find(graph, &live, outputs, REGIONS, |idle, is_usual, _| {
+                4 * idle >= 3 * whole
+                    || idle >= LONG && 8 * idle >= whole
+                    || is_usual && 10 * idle >= whole
+            }),
+            Skipping::Any => skip::find(graph, &live, outputs, REGIONS, |idle, _, place| {
+                place == 0 || 8 * idle >= whole
+            }),
         };
         let mut needed = outputs.to_vec();
         needed.extend(skips.iter().map(|skip| skip.mask));

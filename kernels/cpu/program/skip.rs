@@ -107,21 +107,21 @@ fn is_size(graph: &Graph, x: Id, depth: usize) -> bool {
     }
 }
 
-/// Returns truths each of which makes nodes superfluous that no earlier one does: up to `most`, and only those that
-/// `is_worth` says are enough of them. Truths that are usual come first.
+/// Returns truths each of which makes nodes superfluous that no earlier one does: up to `most`, first those in which almost
+/// all items agree. `is_worth` decides by the number of these nodes, whether items agree, and the number of earlier truths.
 pub(crate) fn find(
     graph: &Graph,
     live: &[bool],
     outputs: &[Id],
     most: usize,
-    is_worth: impl Fn(usize) -> bool,
+    is_worth: impl Fn(usize, bool, usize) -> bool,
 ) -> Vec<SkipCondition> {
     let mut search = SkipSearch::new(graph, live, outputs);
     let mut found = Vec::new();
     for seldom in [true, false] {
         while found.len() < most
             && let Some((count, skip)) = search.best(seldom)
-            && is_worth(count)
+            && is_worth(count, seldom, found.len())
         {
             for (taken, &idle) in search.taken.iter_mut().zip(&skip.idle) {
                 *taken |= idle;
