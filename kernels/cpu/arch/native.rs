@@ -126,6 +126,10 @@ impl<'a, T> BoundCode<'a, T> {
     pub(crate) fn runs(&self) -> &'a [CodeRun] {
         &self.native.runs
     }
+    /// Returns the number of items of a vector.
+    pub(crate) fn vector(&self) -> usize {
+        self.native.vector
+    }
     /// Makes the code read input `k` in place, if it [can](Native::has_input).
     #[inline]
     pub(crate) fn lend(&mut self, k: usize, numbers: &'a [T]) {

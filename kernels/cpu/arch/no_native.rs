@@ -38,6 +38,9 @@ impl<'a, T> BoundCode<'a, T> {
     pub(crate) fn runs(&self) -> &'a [CodeRun] {
         match *self.0 {}
     }
+    pub(crate) fn vector(&self) -> usize {
+        match *self.0 {}
+    }
     pub(crate) fn lend(&mut self, _: usize, _: &'a [T]) {
         match *self.0 {}
     }

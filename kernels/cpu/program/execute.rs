@@ -208,10 +208,11 @@ impl Needed {
         }
         vectors
     }
-    /// Passes the ranges of items whose vectors are needed at an instruction, of `width` items each.
+    /// Passes the ranges of items whose vectors are needed at an instruction, of `width` items each; everything if machine
+    /// code has vectors of another length. No item is passed twice, since code overwrites what it has read.
     #[inline(always)]
-    fn ranges(self, at: usize, width: usize, mut pass: impl FnMut(Range<usize>)) {
-        let all = at >= self.end || self.vectors == u64::MAX;
+    fn ranges(self, at: usize, [width, own]: [usize; 2], mut pass: impl FnMut(Range<usize>)) {
+        let all = at >= self.end || self.vectors == u64::MAX || width != own;
         let mut vectors = if all { 1 } else { self.vectors };
         while vectors != 0 {
             let first = vectors.trailing_zeros();
@@ -342,7 +343,9 @@ pub(crate) fn carry_out<T: Real, V: Vector<T>>(
         {
             // A jump may have skipped the run.
             if run.from == next {
-                needed.ranges(next, V::WIDTH, |items| native.run(run, memory.width, items));
+                needed.ranges(next, [V::WIDTH, native.vector()], |items| {
+                    native.run(run, memory.width, items)
+                });
                 next = run.to;
             }
             runs = others;
