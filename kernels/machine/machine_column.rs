@@ -17,7 +17,7 @@ pub struct Numbers<T> {
     pub(crate) fields: usize,
     /// The numbers, shape after shape.
     pub(crate) rows: Vec<T>,
-    /// What calls have prepared of them.
+    /// The preparations that calls have made of them.
     pub(crate) prepared: Prepared,
 }
 
@@ -43,7 +43,7 @@ const KEPT: usize = 4;
 /// The key of a preparation: the number of the function's recording, the argument, and an option of the preparation.
 pub(crate) type PreparedKey = (u64, usize, bool);
 
-/// What calls have prepared of a column, kept until its numbers change: that of the last few functions.
+/// The preparations that calls have made of a column, kept until its numbers change: those of the last few functions.
 #[derive(Default)]
 pub(crate) struct Prepared(Mutex<Vec<(PreparedKey, Arc<dyn Any + Send + Sync>)>>);
 
@@ -65,7 +65,7 @@ impl Prepared {
     ///
     /// # Errors
     ///
-    /// Those of making it; it is not kept then.
+    /// The errors of making it; it is not kept then.
     pub(crate) fn made<X: Send + Sync + 'static>(
         &self,
         key: PreparedKey,

@@ -121,7 +121,7 @@ impl Tape {
         let live = graph.live(outputs, false);
         let count = |nodes: &[bool]| nodes.iter().filter(|x| **x).count();
         let whole = count(&live);
-        // A truth of which a block makes no use costs a test of a vector per vector.
+        // Each truth costs a test of every vector.
         let skips = match skipping {
             Skipping::Never => Vec::new(),
             Skipping::Much => skip::find(graph, &live, outputs, REGIONS, |idle, is_usual, _| {
@@ -154,7 +154,7 @@ impl Tape {
             lowering.room.push(room.unwrap_or(1).max(1));
         }
         let nothing = vec![false; graph.len()];
-        // What regions need of each other is mostly before.
+        // Regions mostly need numbers of earlier ones.
         let first = |skip: &&skip::SkipCondition| skip.idle.iter().position(|&idle| idle);
         let mut ordered: Vec<_> = skips.iter().collect();
         ordered.sort_by_key(first);

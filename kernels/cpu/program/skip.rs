@@ -206,9 +206,9 @@ impl<'a> SkipSearch<'a> {
             if !self.is_judged[mask as usize] || self.taken[mask as usize] {
                 continue;
             }
+            let usual = usual(self.graph, mask, DEPTH);
             for all in [false, true] {
                 let least = best.as_ref().map_or(FEW, |best| best.0);
-                let usual = usual(self.graph, mask, DEPTH);
                 if self.visits < VISITS * self.graph.len()
                     // A condition that almost no block meets gains nothing.
                     && usual != Some(!all)
