@@ -19,6 +19,15 @@ fn steep(ways: &[Vec3<f64>; 2], normal: Vec3<f64>) -> f64 {
     (x * x + y * y).sqrt()
 }
 
+/// Returns `true` if the support of an ellipsoid moves with a normal as steadily as its digits need.
+fn is_steady_ball(ways: &[Vec3<f64>; 3], half: &[f64; 3], normal: Vec3<f64>) -> bool {
+    let along = [0, 1, 2].map(|k| half[k] * ways[k].dot(normal));
+    let most = half.iter().copied().fold(0.0, f64::max);
+    let square = along.iter().map(|x| x * x).sum::<f64>();
+    let least = STEADY * most.max(TINY);
+    square > least * least
+}
+
 impl Solid<f64> {
     /// Returns the code of the support in a direction: the end, the corner, else zero.
     pub fn code(&self, way: Vec3<f64>, point: Vec3<f64>) -> usize {
@@ -56,11 +65,7 @@ impl Solid<f64> {
             };
         match *self {
             Solid::Ball { ways, half, .. } => {
-                let along = [0, 1, 2].map(|k| half[k] * ways[k].dot(normal));
-                let most = half.iter().copied().fold(0.0, f64::max);
-                let square = along.iter().map(|x| x * x).sum::<f64>();
-                let least = STEADY * most.max(TINY);
-                (square > least * least).then_some((TURNED, Place::zero()))
+                is_steady_ball(&ways, &half, normal).then_some((TURNED, Place::zero()))
             }
             Solid::Disc {
                 center,
@@ -89,6 +94,17 @@ impl Solid<f64> {
             },
             Solid::Box { .. } => of_box(mix),
             Solid::Simplex { count, .. } => of_simplex(self, count, mix),
+        }
+    }
+    /// Returns `true` if a piece moves with a normal as steadily as its digits need; others than [these](TURNED) do.
+    pub fn is_steady_piece(&self, k: usize, normal: Vec3<f64>) -> bool {
+        match self {
+            _ if k < TURNED => true,
+            Solid::Ball { ways, half, .. } => is_steady_ball(ways, half, normal),
+            Solid::Disc { ways, .. } | Solid::Cylinder { ways, .. } | Solid::Cone { ways, .. } => {
+                steep(ways, normal) > STEADY
+            }
+            Solid::Box { .. } | Solid::Simplex { .. } => true,
         }
     }
     /// Returns the dimension of the set of highest points along a normal, within a slack: 0 for a point, 1 for a segment.

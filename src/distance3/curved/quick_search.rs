@@ -109,7 +109,10 @@ impl Solids<'_> {
         ];
         let level = flat[0] > 0 && flat[1] > 0 && flat != own;
         let plain = self.a.is_plain(normal, own[0]) && self.b.is_plain(-normal, own[1]);
-        (plain && !level).then_some(Found {
+        // Newton's steps may have turned the normal to where a flat ellipsoid or a needle jumps from end to end.
+        let [i, j] = pieces;
+        let steady = self.a.is_steady(i, normal) && self.b.is_steady(j, -normal);
+        (steady && plain && !level).then_some(Found {
             pieces,
             touch: on,
             value,

@@ -42,6 +42,10 @@ pub trait Supported {
     fn is_plain(&self, _normal: Vec3<f64>, _dimension: usize) -> bool {
         true
     }
+    /// Returns `true` if a piece moves with the normal so steadily that rounding of it is rounding of the point.
+    fn is_steady(&self, _piece: usize, _normal: Vec3<f64>) -> bool {
+        true
+    }
     /// Returns the number by which a replay evaluates a piece, and a point's place on that.
     fn replayed(&self, k: usize, place: &Place<f64>) -> (usize, Place<f64>) {
         (k, *place)
@@ -176,6 +180,9 @@ impl Supported for Solid<f64> {
     }
     fn flatness(&self, normal: Vec3<f64>, slack: f64) -> usize {
         self.flat(normal, slack)
+    }
+    fn is_steady(&self, piece: usize, normal: Vec3<f64>) -> bool {
+        self.is_steady_piece(piece, normal)
     }
     fn clamped(&self, k: usize, place: &Place<f64>) -> Place<f64> {
         let mut place = *place;

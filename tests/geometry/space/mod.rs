@@ -5,6 +5,7 @@ mod certificates;
 mod clearance_slopes;
 mod contacts;
 mod curved;
+mod curved_digits;
 mod curved_draw;
 mod curved_slopes;
 mod depths;
