@@ -1,6 +1,6 @@
 //! Columns of plain numbers, and the layouts that they must have.
 use crate::error::{Argument, Error, Field, Validate};
-use crate::kernels::machine::Column;
+use crate::kernels::machine::{Column, in_range};
 use crate::kernels::row::item::counts::expect;
 use crate::kernels::row::item::{Item, Leaf, leaf};
 use crate::{Fixed, Real, Rule};
@@ -14,9 +14,17 @@ enum RowMemory<'a, T> {
     Together(&'a [T]),
     /// One slice per field.
     Apart(&'a [&'a [T]]),
+    /// Items of a shared column, so many of them a row.
+    Indexed {
+        shared: &'a [T],
+        size: usize,
+        indices: &'a [u32],
+        corners: usize,
+    },
 }
 
-/// One argument of every item as plain numbers: rows in row-major order, or a slice for every field.
+/// One argument of every item as plain numbers: rows in row-major order, a slice for every field, or items of a shared
+/// column.
 #[derive(Clone, Copy, Debug)]
 pub struct Rows<'a, T> {
     numbers: RowMemory<'a, T>,
@@ -63,15 +71,70 @@ impl<'a, T: Real> Rows<'a, T> {
             is_one: false,
         }
     }
+    /// Creates rows that are made of items of a shared column, `corners` of them each: triangles over vertices, edges
+    /// over points, listed boxes. `size` is the number of numbers of an item. Calls read the items where they lie;
+    /// [`gathered`](Rows::gathered) brings derivatives back to them.
+    ///
+    /// ```
+    /// use geograd::kernels::dynamic::{Rows, operation};
+    /// let area = operation("area_triangle").and_then(|area| area.value_grad::<f64>()).expect("is listed");
+    /// let vertices = [0.0, 0.0, 2.0, 0.0, 2.0, 2.0, 0.0, 2.0];
+    /// let faces = Rows::indexed(&vertices, 2, &[0, 1, 2, 0, 2, 3], 3);
+    /// let found = area.aligned(&[faces])?;
+    /// assert_eq!(found[0], [2.0, 2.0]);
+    /// assert_eq!(faces.gathered(&found[1])?[4..6], [1.0, 1.0]);
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    #[must_use]
+    pub const fn indexed(shared: &'a [T], size: usize, indices: &'a [u32], corners: usize) -> Self {
+        Rows {
+            numbers: RowMemory::Indexed {
+                shared,
+                size,
+                indices,
+                corners,
+            },
+            fields: size * corners,
+            is_one: false,
+        }
+    }
+    /// Returns the derivatives by the numbers of shared items from those by all rows: their sums, added in double
+    /// precision in the order of rows. Derivatives by rows that are no [indices](Rows::indexed) are returned as they are.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless there is one derivative per number of a row, and as calls for indices out of range.
+    pub fn gathered(&self, derivatives: &[T]) -> Result<Vec<T>, Error> {
+        self.column(Argument::Named("indices"), self.fields)?;
+        let expected = self.count().unwrap_or(1) * self.fields;
+        expect(Argument::Upstream, expected, derivatives.len())?;
+        let RowMemory::Indexed {
+            shared,
+            size,
+            indices,
+            ..
+        } = self.numbers
+        else {
+            return Ok(derivatives.to_vec());
+        };
+        let mut sums = vec![0.0; shared.len()];
+        for (&index, part) in indices.iter().zip(derivatives.chunks_exact(size.max(1))) {
+            let own = &mut sums[size * index as usize..];
+            own.iter_mut()
+                .zip(part)
+                .for_each(|(sum, x)| *sum += x.widen());
+        }
+        Ok(sums.into_iter().map(T::nearest).collect())
+    }
     /// Returns the numbers in row-major order; copies separate fields.
     #[must_use]
     pub fn numbers(&self) -> Cow<'a, [T]> {
         match self.numbers {
             RowMemory::Together(numbers) => Cow::Borrowed(numbers),
-            RowMemory::Apart(fields) => {
+            _ => {
                 let count = self.count().unwrap_or(0);
-                let mut rows = vec![T::default(); count * fields.len()];
-                gather(fields, 0..count, &mut rows);
+                let mut rows = vec![T::default(); count * self.fields];
+                self.numbers.read(0..count, &mut rows);
                 Cow::Owned(rows)
             }
         }
@@ -82,6 +145,9 @@ impl<'a, T: Real> Rows<'a, T> {
         let numbers = match self.numbers {
             RowMemory::Together(numbers) => numbers.len().checked_div(self.fields).unwrap_or(0),
             RowMemory::Apart(fields) => fields.iter().map(|field| field.len()).min().unwrap_or(0),
+            RowMemory::Indexed {
+                indices, corners, ..
+            } => indices.len().checked_div(corners).unwrap_or(0),
         };
         (!self.is_one).then_some(numbers)
     }
@@ -90,11 +156,11 @@ impl<'a, T: Real> Rows<'a, T> {
     pub const fn fields(&self) -> usize {
         self.fields
     }
-    /// Returns `true` if every field is a slice of its own.
+    /// Returns `true` unless the numbers of a row are adjacent.
     pub(super) const fn is_apart(&self) -> bool {
-        matches!(self.numbers, RowMemory::Apart(_))
+        !matches!(self.numbers, RowMemory::Together(_))
     }
-    /// Returns some rows, copied to `room` if fields are separate; a row that stands for all is returned as it is.
+    /// Returns some rows, copied to `room` unless their numbers are adjacent; a row that stands for all is returned as it is.
     pub(super) fn some<'s>(&'s self, items: Range<usize>, room: &'s mut Vec<T>) -> Rows<'s, T> {
         match self.numbers {
             RowMemory::Together(_) if self.is_one => *self,
@@ -102,10 +168,10 @@ impl<'a, T: Real> Rows<'a, T> {
                 let fields = self.fields;
                 Rows::new(&numbers[items.start * fields..items.end * fields], fields)
             }
-            RowMemory::Apart(fields) => {
-                room.resize(items.len() * fields.len(), T::default());
-                gather(fields, items, room);
-                Rows::new(room, fields.len())
+            _ => {
+                room.resize(items.len() * self.fields, T::default());
+                self.numbers.read(items, room);
+                Rows::new(room, self.fields)
             }
         }
     }
@@ -132,6 +198,21 @@ impl<'a, T: Real> Rows<'a, T> {
                 let mut lengths = fields.iter().map(|field| field.len());
                 lengths.try_for_each(|found| expect(argument, count, found))?;
             }
+            RowMemory::Indexed {
+                shared,
+                size,
+                indices,
+                corners,
+            } => {
+                let (size, corners) = (size.max(1), corners.max(1));
+                expect(argument, shared.len() - shared.len() % size, shared.len())?;
+                expect(
+                    argument,
+                    indices.len() - indices.len() % corners,
+                    indices.len(),
+                )?;
+                in_range(argument, shared.len() / size, indices, [0, corners])?;
+            }
         }
         Ok(self.lent())
     }
@@ -139,9 +220,33 @@ impl<'a, T: Real> Rows<'a, T> {
     pub(super) fn lent(&self) -> Column<'a, T> {
         match self.numbers {
             RowMemory::Together(numbers) => Column::lent(numbers, self.fields, self.count()),
-            RowMemory::Apart(fields) => {
-                let read = |items: Range<usize>, rows: &mut [T]| gather(fields, items, rows);
+            numbers => {
+                let read = move |items: Range<usize>, rows: &mut [T]| numbers.read(items, rows);
                 Column::read(self.fields, self.count().unwrap_or(0), read)
+            }
+        }
+    }
+}
+
+impl<T: Real> RowMemory<'_, T> {
+    /// Copies some rows to row-major order.
+    fn read(&self, items: Range<usize>, rows: &mut [T]) {
+        match *self {
+            RowMemory::Together(numbers) => {
+                let fields = rows.len().checked_div(items.len()).unwrap_or(0);
+                rows.copy_from_slice(&numbers[items.start * fields..items.end * fields]);
+            }
+            RowMemory::Apart(fields) => gather(fields, items, rows),
+            RowMemory::Indexed {
+                shared,
+                size,
+                indices,
+                corners,
+            } => {
+                let own = &indices[items.start * corners..items.end * corners];
+                for (place, &index) in rows.chunks_exact_mut(size.max(1)).zip(own) {
+                    place.copy_from_slice(&shared[size * index as usize..][..size]);
+                }
             }
         }
     }

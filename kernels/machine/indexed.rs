@@ -30,6 +30,26 @@ pub trait IndexOf<B: Single>: Copy + Send + Sync {
     fn parts(bar: Self::Shape, add: impl FnMut(usize, B));
 }
 
+/// Checks that indices are below a number of shared items; the first item that they make, and how many make one, name a
+/// wrong one.
+pub(crate) fn in_range(
+    argument: Argument,
+    shared: usize,
+    indices: &[u32],
+    [first, corners]: [usize; 2],
+) -> Result<(), Error> {
+    let Some(wrong) = indices.iter().position(|&index| index as usize >= shared) else {
+        return Ok(());
+    };
+    let (item, place) = (wrong / corners.max(1), wrong % corners.max(1));
+    let name = format!("index {} in place {place}", indices[wrong]);
+    Err(Error::Invalid {
+        argument,
+        item: first + item,
+        flaw: Flaw::Broken(Field::new(&name), "is not one of the shared column"),
+    })
+}
+
 impl<B: Single> IndexOf<B> for u32 {
     type Shape = B;
     fn indices(&self) -> &[u32] {
@@ -112,17 +132,10 @@ impl<'a, B: Single, I: IndexOf<B>> Indexed<'a, B, I> {
     /// [`Error::Invalid`] with the first item that has an index beyond the shared column, the place of that index and
     /// the index.
     pub fn new(shared: &'a [B], indices: &'a [I]) -> Result<Self, Error> {
-        let is_beyond = |&index: &u32| index as usize >= shared.len();
         for (item, own) in indices.iter().enumerate() {
-            let Some(place) = own.indices().iter().position(is_beyond) else {
-                continue;
-            };
-            let name = format!("index {} in place {place}", own.indices()[place]);
-            return Err(Error::Invalid {
-                argument: Argument::Named("indices"),
-                item,
-                flaw: Flaw::Broken(Field::new(&name), "is not one of the shared column"),
-            });
+            let argument = Argument::Named("indices");
+            let all = own.indices();
+            in_range(argument, shared.len(), all, [item, all.len()])?;
         }
         Ok(Indexed { shared, indices })
     }

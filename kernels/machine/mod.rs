@@ -39,6 +39,7 @@ pub(crate) use grouped::ranked_groups;
 pub use groups::GroupSpans;
 pub use held::Held;
 pub(crate) use held::numbers_of;
+pub(crate) use indexed::in_range;
 pub use indexed::{IndexOf, Indexed};
 pub use location::{Here, Place, There};
 pub use machine_column::Numbers;

@@ -1,5 +1,6 @@
 //! Arrays as rows of numbers, and arrays for results.
 use crate::column::{Column, NUMBERS};
+use crate::indexed::IndexedItems;
 use crate::lent::{LentNumbers, in_use};
 use crate::number::Number;
 use crate::shapes::{Content, Shape, array, stacked};
@@ -13,12 +14,15 @@ use pyo3::exceptions::{PyMemoryError, PyTypeError, PyValueError};
 use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
+use std::sync::Arc;
 
 /// An argument in the form of the caller.
 pub enum CallArgument<'py> {
     Array(Bound<'py, PyUntypedArray>),
     /// Arrays of one axis, of one length and format: one per field.
     Columns(Vec<Py<PyUntypedArray>>),
+    /// Items of a shared array, by indices.
+    Indexed(Arc<IndexedItems>),
     Number(f64),
 }
 
@@ -45,6 +49,12 @@ impl<'py> CallArgument<'py> {
                 Content::Columns(columns) => Ok(CallArgument::Array(
                     stacked(x.py(), columns)?.into_bound(x.py()),
                 )),
+                Content::Indexed(items) if column.kind == shape.kind => {
+                    Ok(CallArgument::Indexed(Arc::clone(items)))
+                }
+                Content::Indexed(items) => {
+                    Ok(CallArgument::Array(items.array(x.py())?.into_bound(x.py())))
+                }
                 Content::Items(_) => Err(symbolic(&column.name)),
             };
         }
@@ -73,6 +83,7 @@ impl<'py> CallArgument<'py> {
                 let first = columns.first()?.bind(py);
                 Some(first.dtype().itemsize() == 8)
             }
+            CallArgument::Indexed(items) => Some(items.shared.bind(py).dtype().itemsize() == 8),
             CallArgument::Array(array) if array.ndim() > 0 => Some(array.dtype().itemsize() == 8),
             _ => None,
         }
@@ -96,6 +107,8 @@ pub fn is_double(py: Python<'_>, given: &[CallArgument<'_>]) -> bool {
 pub struct ArgumentNumbers<'py, T: Number> {
     parts: Vec<PyReadonlyArrayDyn<'py, T>>,
     is_apart: bool,
+    /// Indices into the one part.
+    items: Option<Arc<IndexedItems>>,
     lead: Vec<usize>,
     fields: usize,
 }
@@ -114,6 +127,18 @@ impl<'py, T: Number> ArgumentNumbers<'py, T> {
                 stacked(py, &columns)?.into_bound(py).into_any()
             }
             CallArgument::Columns(columns) => stacked(py, &columns)?.into_bound(py).into_any(),
+            CallArgument::Indexed(items) if items.count() != 1 => {
+                let shared = plain::<T>(items.shared.bind(py).as_any().clone())?;
+                let shared = shared.try_readonly().map_err(|_| in_use(&column.name))?;
+                return Ok(ArgumentNumbers {
+                    parts: vec![shared],
+                    is_apart: false,
+                    lead: vec![items.count()],
+                    fields: column.fields(),
+                    items: Some(items),
+                });
+            }
+            CallArgument::Indexed(items) => items.array(py)?.into_bound(py).into_any(),
             CallArgument::Number(x) => PyArrayDyn::<T>::from_owned_array(
                 py,
                 numpy::ndarray::arr0(T::narrowed(x)).into_dyn(),
@@ -133,6 +158,7 @@ impl<'py, T: Number> ArgumentNumbers<'py, T> {
         Ok(ArgumentNumbers {
             parts: vec![numbers],
             is_apart: false,
+            items: None,
             lead,
             fields: column.fields(),
         })
@@ -151,6 +177,7 @@ impl<'py, T: Number> ArgumentNumbers<'py, T> {
         Ok(ArgumentNumbers {
             parts,
             is_apart: true,
+            items: None,
             lead: vec![count],
             fields: column.fields(),
         })
@@ -161,7 +188,7 @@ impl<'py, T: Number> ArgumentNumbers<'py, T> {
     }
     /// Returns the numbers of an argument that is no shape.
     pub fn numbers(&self) -> PyResult<&[T]> {
-        match (&self.parts[..], self.is_apart) {
+        match (&self.parts[..], self.is_apart || self.items.is_some()) {
             ([whole], false) => slice(whole),
             _ => Err(PyTypeError::new_err(
                 "an array of numbers is needed, not the columns of a shape",
@@ -173,7 +200,11 @@ impl<'py, T: Number> ArgumentNumbers<'py, T> {
         self.parts.iter().map(slice).collect()
     }
     /// Returns the rows; one row stands for all if it may.
-    pub fn rows<'s>(&self, slices: &'s [&'s [T]], may_be_one: bool) -> Rows<'s, T> {
+    pub fn rows<'s>(&'s self, slices: &'s [&'s [T]], may_be_one: bool) -> Rows<'s, T> {
+        if let (Some(items), [shared]) = (&self.items, slices) {
+            let (corners, fields) = (items.corners, self.fields);
+            return Rows::indexed(shared, fields / corners, &items.indices, corners);
+        }
         match slices {
             [numbers] if !self.is_apart && may_be_one && self.count() == 1 => Rows::one(numbers),
             [numbers] if !self.is_apart => Rows::new(numbers, self.fields),
@@ -188,8 +219,9 @@ impl<'py, T: Number> ArgumentNumbers<'py, T> {
         let shape = with_fields(lead, column);
         let numpy = py.import("numpy")?;
         let own: Vec<_> = self.parts.iter().map(|own| own.as_any().clone()).collect();
-        let array = match (&own[..], self.is_apart) {
-            ([whole], false) => whole.clone(),
+        let array = match (&own[..], &self.items) {
+            (_, Some(items)) => items.array(py)?.into_bound(py).into_any(),
+            ([whole], None) if !self.is_apart => whole.clone(),
             _ => {
                 let axis = PyDict::new(py);
                 axis.set_item("axis", -1)?;
@@ -287,7 +319,7 @@ pub fn broadcast<T: Number>(
 }
 
 fn shapes_of<T: Number>(lent: &[ArgumentNumbers<'_, T>]) -> String {
-    let one = |x: &ArgumentNumbers<'_, T>| match x.is_apart {
+    let one = |x: &ArgumentNumbers<'_, T>| match x.is_apart || x.items.is_some() {
         true => format!("{:?}", [x.count(), x.fields]),
         false => format!("{:?}", x.parts[0].shape()),
     };

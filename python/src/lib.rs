@@ -17,6 +17,7 @@ mod far_pairs;
 mod forms;
 mod grouped;
 mod hulls;
+mod indexed;
 mod lent;
 mod machine;
 mod mesh_arrays;

@@ -182,7 +182,7 @@ impl<'py> Call<'_, 'py> {
     pub fn each<'a, T: Number>(
         &self,
         batches: &[usize],
-        lists: &[ArgumentNumbers<'py, T>; 2],
+        lists: &'a [ArgumentNumbers<'py, T>; 2],
         slices: &'a [Vec<&'a [T]>; 2],
     ) -> (Vec<[Rows<'a, T>; 2]>, [usize; 2]) {
         let count: usize = batches.iter().product();
@@ -431,6 +431,7 @@ impl<'py> Call<'_, 'py> {
                 let count = columns.first().map_or(0, |own| own.bind(self.py).len());
                 vec![count, columns.len()]
             }
+            CallArgument::Indexed(items) => vec![items.count(), items.fields(self.py)],
             CallArgument::Number(_) => Vec::new(),
         };
         given.iter().map(shape).collect()

@@ -1,5 +1,6 @@
 //! Shapes over arrays or symbols, and paths.
 use crate::column::{CLOUD3, Kind, NUMBERS, POLYLINE, POLYLINE3, RING};
+use crate::indexed::IndexedItems;
 use crate::symbol::Symbol;
 use crate::table::table;
 use numpy::{PyArrayDescrMethods, PyUntypedArray, PyUntypedArrayMethods};
@@ -8,6 +9,7 @@ use pyo3::prelude::*;
 use pyo3::pyclass::CompareOp;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyDict, PyList, PyTuple, PyType};
+use std::sync::Arc;
 
 /// The numbers of a shape.
 pub enum Content {
@@ -15,6 +17,8 @@ pub enum Content {
     Array(Py<PyUntypedArray>),
     /// Arrays of one axis, of one length and format: one per field.
     Columns(Vec<Py<PyUntypedArray>>),
+    /// Items of a shared column, by indices.
+    Indexed(Arc<IndexedItems>),
     /// Symbols and numbers: one per field.
     Items(Vec<Py<PyAny>>),
 }
@@ -40,6 +44,10 @@ impl Columns {
         }
     }
 }
+
+/// Items of a shared column, as which indices are lent to a class.
+#[pyclass(frozen, module = "geograd")]
+struct SharedItems(Arc<IndexedItems>);
 
 /// Copies arrays of fields to one array of rows.
 pub fn stacked(py: Python<'_>, columns: &[Py<PyUntypedArray>]) -> PyResult<Py<PyUntypedArray>> {
@@ -183,6 +191,10 @@ impl Shape {
                 false => Err(wrong()),
             };
         }
+        if let Some(lent) = one.as_ref().and_then(|one| one.cast::<SharedItems>().ok()) {
+            let content = Content::Indexed(Arc::clone(&lent.get().0));
+            return Ok(Shape { kind, content });
+        }
         if let Some(one) = one.filter(is_row) {
             if let Ok(shape) = one.cast::<Shape>() {
                 return match shape.get() {
@@ -259,12 +271,40 @@ impl Shape {
         })
     }
 
+    /// Shapes made of rows of a shared array: of one by its index, or of several points. Numbers are read where they lie.
+    #[classmethod]
+    fn indexed(
+        class: &Bound<'_, PyType>,
+        shared: &Bound<'_, PyAny>,
+        indices: &Bound<'_, PyAny>,
+    ) -> PyResult<Py<PyAny>> {
+        let kind: Kind = class.getattr("_kind")?.extract()?;
+        let items = IndexedItems::new(shared, indices, kind)?;
+        let lent = SharedItems(Arc::new(items));
+        Ok(class.call1((Bound::new(class.py(), lent)?,))?.unbind())
+    }
+    /// The derivatives by the rows of the shared array from those by these shapes: sums in the order of shapes.
+    fn gathered<'py>(&self, derivatives: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        let Content::Indexed(items) = &self.content else {
+            return Err(PyTypeError::new_err(format!(
+                "{0} of no indices: {0}.indexed(...) makes one",
+                table().name(self.kind)
+            )));
+        };
+        let derivatives = array(derivatives, "derivatives", NUMBERS)?;
+        match derivatives.dtype().itemsize() {
+            4 => items.gathered::<f32>(derivatives.as_any()),
+            _ => items.gathered::<f64>(derivatives.as_any()),
+        }
+    }
+
     /// The numbers: an array whose last axis has the fields.
     #[getter]
-    fn array(&self, py: Python<'_>) -> PyResult<Py<PyUntypedArray>> {
+    pub fn array(&self, py: Python<'_>) -> PyResult<Py<PyUntypedArray>> {
         match &self.content {
             Content::Array(array) => Ok(array.clone_ref(py)),
             Content::Columns(columns) => stacked(py, columns),
+            Content::Indexed(items) => items.array(py),
             Content::Items(_) => Err(PyTypeError::new_err(format!(
                 "a {} of symbols is no array: the function is recorded once for all inputs",
                 table().name(self.kind)
@@ -282,9 +322,9 @@ impl Shape {
     #[pyo3(name = "_number")]
     pub fn number(&self, py: Python<'_>, place: usize) -> PyResult<Py<PyAny>> {
         match &self.content {
-            Content::Array(array) => {
+            Content::Array(_) | Content::Indexed(_) => {
                 let key = (py.Ellipsis(), place);
-                Ok(array.bind(py).as_any().get_item(key)?.unbind())
+                Ok(self.array(py)?.bind(py).as_any().get_item(key)?.unbind())
             }
             Content::Columns(columns) => columns
                 .get(place)
@@ -315,8 +355,8 @@ impl Shape {
             None => array.getattr("dtype")?,
         };
         let made = array.call_method("astype", (dtype,), Some(&options))?;
-        // Columns become rows by a copy only, and so does another format.
-        let is_copy = !made.is(&array) || matches!(self.content, Content::Columns(_));
+        // Columns and indices become rows by a copy only, and so does another format.
+        let is_copy = !made.is(&array) || !matches!(self.content, Content::Array(_));
         match copy == Some(false) && is_copy {
             true => Err(PyValueError::new_err(
                 "copy=False: the array would be a copy, of another format or order",
@@ -356,6 +396,9 @@ impl Shape {
         if let Content::Columns(columns) = &self.content {
             return Ok(columns.first().map_or(0, |own| own.bind(py).len()));
         }
+        if let Content::Indexed(items) = &self.content {
+            return Ok(items.count());
+        }
         let array = self.array(py)?;
         let array = array.bind(py);
         match array.ndim() {
@@ -391,7 +434,7 @@ impl Shape {
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
         let name = table().name(self.kind);
         Ok(match &self.content {
-            Content::Array(_) | Content::Columns(_) => {
+            Content::Array(_) | Content::Columns(_) | Content::Indexed(_) => {
                 format!("{name}({})", self.array(py)?.bind(py).as_any().str()?)
             }
             Content::Items(_) => format!("<{name} of symbols: {}>", fields(self.kind).join(", ")),
@@ -412,6 +455,7 @@ impl Content {
             Content::Columns(columns) => {
                 Content::Columns(columns.iter().map(|x| x.clone_ref(py)).collect())
             }
+            Content::Indexed(items) => Content::Indexed(Arc::clone(items)),
             Content::Items(items) => {
                 Content::Items(items.iter().map(|x| x.clone_ref(py)).collect())
             }

@@ -481,7 +481,7 @@ fn symbol_in(x: &Object<'_>, depth: usize) -> Option<Any> {
             Content::Items(items) => items
                 .iter()
                 .find_map(|item| symbol_in(item.bind(x.py()), depth + 1)),
-            Content::Array(_) | Content::Columns(_) => None,
+            Content::Array(_) | Content::Columns(_) | Content::Indexed(_) => None,
         };
     }
     let is_list = x.cast::<PyList>().is_ok() || x.cast::<PyTuple>().is_ok() || is_of_objects(x);
@@ -510,6 +510,7 @@ fn flat<T: Number>(
                 .iter()
                 .try_for_each(|item| flat(item.bind(x.py()), into, depth + 1)),
             Content::Array(array) => flat(array.bind(x.py()), into, depth + 1),
+            Content::Indexed(items) => flat(items.array(x.py())?.bind(x.py()), into, depth + 1),
             Content::Columns(columns) => columns
                 .iter()
                 .try_for_each(|own| flat(own.bind(x.py()), into, depth + 1)),

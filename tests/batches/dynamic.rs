@@ -947,3 +947,77 @@ fn nodes_are_the_program() {
     assert_eq!(found, program.eval(&x).unwrap());
     assert_eq!(nodes.inputs, 10);
 }
+
+#[test]
+fn rows_by_indices_have_the_bits_of_copied_rows() {
+    let mut draw = Draw::new(5);
+    let shared: Vec<f64> = (0..90).map(|_| draw.within(-1.0, 1.0)).collect();
+    let indices: Vec<u32> = (0..3 * 2500).map(|k| (17 * k + k / 3) % 30).collect();
+    let copied: Vec<f64> = indices
+        .iter()
+        .flat_map(|&i| shared[3 * i as usize..][..3].to_vec())
+        .collect();
+    let (own, rows) = (
+        Rows::indexed(&shared, 3, &indices, 3),
+        Rows::new(&copied, 9),
+    );
+    assert_eq!((own.count(), own.fields()), (Some(2500), 9));
+    assert_eq!(own.numbers(), copied);
+    let points: Vec<f64> = (0..3 * 2500).map(|_| draw.within(-1.0, 1.0)).collect();
+    let (points, few) = (Rows::new(&points, 3), Rows::new(&points[..30], 3));
+    let distance = operation("distance_point_triangle3").expect("is listed");
+    let (value, slopes) = (distance.value::<f64>(), distance.value_grad::<f64>());
+    let (value, slopes) = (value.expect("has values"), slopes.expect("has slopes"));
+    let found = slopes.aligned(&[points, own]).expect("valid");
+    assert_eq!(found, slopes.aligned(&[points, rows]).expect("valid"));
+    assert_eq!(value.all_pairs(few, own), value.all_pairs(few, rows));
+    assert_eq!(value.row_min(few, own), value.row_min(few, rows));
+    let by_shared = own.gathered(&found[2]).expect("one per number");
+    let mut expected = vec![0.0; 90];
+    for (k, &x) in found[2].iter().enumerate() {
+        expected[3 * indices[k / 3] as usize + k % 3] += x;
+    }
+    assert_eq!(by_shared, expected);
+    assert_eq!(rows.gathered(&found[2]).expect("as it is"), found[2]);
+
+    // Refused: an index beyond the shared column, parts of rows, another number of derivatives.
+    let mut beyond = indices.clone();
+    beyond[3001] = 30;
+    let wrong = value.aligned(&[points, Rows::indexed(&shared, 3, &beyond, 3)]);
+    let Err(Error::Invalid {
+        argument,
+        item,
+        flaw,
+    }) = wrong
+    else {
+        panic!("{wrong:?}");
+    };
+    assert_eq!((argument, item), (Argument::Named("triangle"), 1000));
+    assert_eq!(
+        flaw,
+        Flaw::Broken(
+            Field::new("index 30 in place 1"),
+            "is not one of the shared column"
+        )
+    );
+    for rows in [
+        Rows::indexed(&shared[1..], 3, &indices, 3),
+        Rows::indexed(&shared, 3, &indices[1..], 3),
+    ] {
+        let wrong = value.aligned(&[points, rows]);
+        assert!(matches!(wrong, Err(Error::Length { .. })), "{wrong:?}");
+    }
+    let wrong = own.gathered(&found[2][1..]);
+    assert!(matches!(wrong, Err(Error::Length { .. })), "{wrong:?}");
+    let wrong = value.aligned(&[points, Rows::indexed(&shared, 3, &indices, 2)]);
+    assert!(matches!(wrong, Err(Error::Fields { .. })), "{wrong:?}");
+    // Not finite: the first row that has it.
+    let mut broken = shared.clone();
+    broken[3 * 7] = f64::NAN;
+    let first = indices.iter().position(|&i| i == 7).expect("is used") / 3;
+    let wrong = value.aligned(&[points, Rows::indexed(&broken, 3, &indices, 3)]);
+    assert!(
+        matches!(wrong, Err(Error::Invalid { item, .. }) if item == first),
+        "{wrong:?}"
+    );
+}
