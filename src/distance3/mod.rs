@@ -121,6 +121,7 @@ pub mod polyline;
 pub(crate) mod relation;
 pub(crate) mod round;
 pub(crate) mod simplex;
+mod slabs;
 pub(crate) mod spot;
 pub(crate) mod straight;
 
@@ -133,3 +134,4 @@ pub use curved::{BySupport, SupportFunction};
 pub use manifold::contacts;
 pub(crate) use manifold_record::ContactRecord;
 pub use outcome::{Contact3, PointPair3};
+pub(crate) use slabs::{Clearly, Slabs};

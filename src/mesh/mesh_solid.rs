@@ -1,6 +1,6 @@
 //! Solids that a mesh has distances from.
 use super::mesh_column::plain;
-use crate::distance3::{PointPair3, closest_points, distance};
+use crate::distance3::{Clearly, PointPair3, Slabs, closest_points, distance};
 use crate::{
     Aabb3, Capsule3, Hull3, Obb3, Pack, RoundBox3, Scalar, Segment3, Sphere, Tetrahedron,
     Triangle3, Vec3,
@@ -146,6 +146,14 @@ pub trait MeshSolid<S: Scalar<Mask = bool>>: Copy + Send + Sync {
     /// Returns a function of the distance of a triangle from the solid, in double precision.
     #[must_use]
     fn measure(&self) -> impl Fn(Triangle3<f64>) -> f64 + '_;
+    /// Returns a function of two numbers between which that distance is, the lower one first: both zero only where it is
+    /// zero. It may return any larger numbers where the distance is above a second argument. Searches measure few triangles
+    /// by it; unless it is given, it measures each.
+    #[must_use]
+    fn bracket(&self) -> impl Fn(Triangle3<f64>, f64) -> [f64; 2] + '_ {
+        let measure = self.measure();
+        move |face, _| [measure(face); 2]
+    }
     /// Returns the distance of a face from the solid, 0 where they meet.
     #[must_use]
     fn distance_from(&self, face: Triangle3<S>) -> S;
@@ -160,7 +168,10 @@ fn plainly<S: Scalar<Mask = bool>, B: Pack<Scalar = S>>(shape: &B) -> B::With<f6
 }
 
 macro_rules! solids {
-    ($($Shape:ident [$($generic:tt)*] [$($own:tt)*] $(box $is_box:ident)? |$own_name:ident| $bounds:expr;)*) => { $(
+    ($(
+        $Shape:ident [$($generic:tt)*] [$($own:tt)*] $(box $is_box:ident)? |$own_name:ident| $bounds:expr
+        $(, corners |$body:ident| $corners:expr)?;
+    )*) => { $(
         impl<S: Scalar<Mask = bool>, $($generic)*> MeshSolid<S> for $Shape<S, $($own)*> {
             fn bounds(&self) -> SolidBounds {
                 let $own_name = *self;
@@ -176,6 +187,16 @@ macro_rules! solids {
                     distance(face, own)
                 }
             }
+            $(fn bracket(&self) -> impl Fn(Triangle3<f64>, f64) -> [f64; 2] + '_ {
+                let $body = plainly(self);
+                let (slabs, measure) = (Slabs::new(&$corners), self.measure());
+                move |face, most| match slabs.told(face, most) {
+                    Clearly::Beyond => [f64::INFINITY; 2],
+                    Clearly::Meets => [0.0; 2],
+                    Clearly::Between(low, high) => [low, high],
+                    Clearly::Unclear => [measure(face); 2],
+                }
+            })?
             fn distance_from(&self, face: Triangle3<S>) -> S {
                 distance(face, *self)
             }
@@ -190,10 +211,10 @@ solids! {
         Segment3 { start: own.center, end: own.center }, own.radius);
     Segment3 [] [] |own| SolidBounds::around_segment(own, S::zero());
     Capsule3 [] [] |own| SolidBounds::around_segment(own.segment(), own.radius);
-    Triangle3 [] [] |own| SolidBounds::upright(own.bounding());
-    Tetrahedron [] [] |own| SolidBounds::upright(own.bounding());
-    Aabb3 [] [] box bounds |own| SolidBounds::upright(own);
-    Obb3 [] [] box bounds |own| SolidBounds::around_box(own, S::zero());
+    Triangle3 [] [] |own| SolidBounds::upright(own.bounding()), corners |own| own.corners();
+    Tetrahedron [] [] |own| SolidBounds::upright(own.bounding()), corners |own| [own.a, own.b, own.c, own.d];
+    Aabb3 [] [] box bounds |own| SolidBounds::upright(own), corners |own| own.corners();
+    Obb3 [] [] box bounds |own| SolidBounds::around_box(own, S::zero()), corners |own| own.corners();
     RoundBox3 [] [] box bounds |own| SolidBounds::around_box(own.inner, own.radius);
-    Hull3 [const N: usize] [N] |own| SolidBounds::upright(own.bounding());
+    Hull3 [const N: usize] [N] |own| SolidBounds::upright(own.bounding()), corners |own| own.as_slice();
 }

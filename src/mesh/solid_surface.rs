@@ -81,16 +81,17 @@ pub(crate) fn nearest_to<S: Scalar<Mask = bool>>(
     if !bounds.is_finite() {
         return None;
     }
-    let (mesh, measure) = (surface.mesh(), solid.measure());
-    let (mut least, mut room) = (LeastRecord::new(), SearchRoom::default());
+    let (mesh, bracket) = (surface.mesh(), solid.bracket());
+    let (mut nearest, mut room) = (Bracketed::default(), SearchRoom::default());
     visit(
         surface.tree(),
         &bounds,
         f64::INFINITY,
         &mut room,
-        &mut |face| least.with(face, || measure(plain_face(mesh, face)), |face| face),
+        &mut |face| nearest.with(face, |most| bracket(plain_face(mesh, face), most)),
     );
-    least.record
+    let measure = solid.measure();
+    nearest.lowest(|face| measure(plain_face(mesh, face)))
 }
 
 /// Returns the faces whose distance from a solid is at most a number, in their order; of all if `only` is `None`, else
@@ -106,10 +107,12 @@ pub(crate) fn faces_within<S: Scalar<Mask = bool>>(
     if !bounds.is_finite() || most.is_nan() || most < 0.0 {
         return found;
     }
-    let (mesh, measure) = (surface.mesh(), solid.measure());
+    let (mesh, measure, bracket) = (surface.mesh(), solid.measure(), solid.bracket());
     let mut room = SearchRoom::default();
     visit(surface.tree(), &bounds, most, &mut room, &mut |face| {
-        if measure(plain_face(mesh, face)) <= most {
+        let triangle = plain_face(mesh, face);
+        let [low, high] = bracket(triangle, most);
+        if low <= most && (high <= most || measure(triangle) <= most) {
             found.push(face);
         }
         match only {
@@ -120,6 +123,73 @@ pub(crate) fn faces_within<S: Scalar<Mask = bool>>(
     found.sort_unstable();
     found.dedup();
     found
+}
+
+/// Faces that may be the nearest one to a solid, by bounds of their distances.
+struct Bracketed {
+    /// A distance that the nearest face has at most.
+    high: f64,
+    /// Faces, with distances that they have at least.
+    faces: Vec<(f64, u32)>,
+    /// The lowest face that is known to be at distance zero.
+    met: Option<u32>,
+}
+
+impl Default for Bracketed {
+    fn default() -> Self {
+        Bracketed {
+            high: f64::INFINITY,
+            faces: Vec::new(),
+            met: None,
+        }
+    }
+}
+
+impl Bracketed {
+    /// Looks at another face. Of faces at distance zero only lower ones are wanted.
+    #[inline]
+    fn with(&mut self, face: u32, bracket: impl FnOnce(f64) -> [f64; 2]) -> Wanted {
+        if self.met.is_none_or(|met| face < met) {
+            let [low, high] = bracket(self.high);
+            if low <= self.high {
+                self.faces.push((low, face));
+                self.high = self.high.min(high);
+            }
+            if high == 0.0 {
+                self.met = Some(face);
+            }
+        }
+        match self.met {
+            Some(face) => Wanted {
+                distance: 0.0,
+                most: face,
+            },
+            None => Wanted::up_to(self.high),
+        }
+    }
+    /// Returns the nearest face, the lowest of equal ones, given a function of their distances.
+    fn lowest(mut self, measure: impl Fn(u32) -> f64) -> Option<u32> {
+        self.faces.retain(|(low, _)| *low <= self.high);
+        self.faces.sort_unstable_by_key(|(_, face)| *face);
+        if let [(_, only)] = self.faces[..] {
+            return Some(only);
+        }
+        let mut best: Option<(f64, u32)> = None;
+        for (low, face) in self.faces {
+            let least = best.map_or(f64::INFINITY, |best| best.0);
+            if low < least {
+                let distance = if Some(face) == self.met {
+                    0.0
+                } else {
+                    measure(face)
+                };
+                if distance < least {
+                    best = Some((distance, face));
+                }
+            }
+        }
+        best.map(|best| best.1)
+    }
 }
 
 /// Measures the distances of faces of two meshes, the second one placed by a pose.

@@ -30,6 +30,57 @@ pub fn turn(random: &mut Random) -> Rotation3<f64> {
     Rotation3::from_rotation_vector(random.vector(3.0))
 }
 
+/// Compares what a solid brackets with the distances of triangles, up to some numbers.
+fn judge_bracket<B: MeshSolid<f64> + std::fmt::Debug>(
+    solid: &B,
+    triangles: impl Iterator<Item = Triangle3<f64>>,
+    up_to: &[f64],
+) {
+    let bracket = solid.bracket();
+    for triangle in triangles {
+        let measured = solid.distance_from(triangle);
+        for &most in up_to {
+            let [low, high] = bracket(triangle, most);
+            let told =
+                || format!("{solid:?} {triangle:?} up to {most}: {measured} of {low} to {high}");
+            match measured <= most {
+                true => assert!(low <= measured && measured <= high, "{}", told()),
+                false => assert!(low <= measured || low > most, "{}", told()),
+            }
+            assert!(high > 0.0 || measured == 0.0, "{}", told());
+        }
+    }
+}
+
+/// Corners on a grid: bodies that touch, lie in one plane, have no extent.
+#[test]
+fn brackets_hold_the_distances_of_grids() {
+    let mut random = Random(0x9e37_79b9_7f4a_7c15);
+    for k in 0..150 {
+        let scale = [1.0, 1e-9, 1e9][k % 3];
+        let far = [0.0, 1e6][random.below(2)] * scale;
+        let mut corner = || {
+            let mut one = || (random.below(5) as f64 - 2.0) * scale;
+            Vec3::new(one() + far, one(), one())
+        };
+        let triangles: Vec<_> = (0..20)
+            .map(|_| Triangle3::new(corner(), corner(), corner()))
+            .collect();
+        let up_to = [0.0, 0.5 * scale, scale, f64::INFINITY];
+        let all = || triangles.iter().copied();
+        let (a, b) = (corner(), corner());
+        judge_bracket(&Triangle3::new(a, b, corner()), all(), &up_to);
+        judge_bracket(&Tetrahedron::new(a, b, corner(), corner()), all(), &up_to);
+        judge_bracket(&Segment3::new(a, b).bounding(), all(), &up_to);
+        let corners: Vec<_> = (0..1 + k % 12).map(|_| corner()).collect();
+        judge_bracket(&Hull3::<f64, 12>::from_vertices(&corners), all(), &up_to);
+        let size = Vec3::new(1.0, 2.0, (k % 4) as f64) * scale;
+        judge_bracket(&Obb3::new(a, size, Rotation3::identity()), all(), &up_to);
+        let turned = Obb3::new(a, size, turn(&mut random));
+        judge_bracket(&turned, triangles.into_iter(), &up_to);
+    }
+}
+
 /// Compares the search with all faces, one by one.
 fn judge<B: SolidItem<f64> + std::fmt::Debug>(
     surface: &MeshSurface<'_, f64>,
@@ -50,6 +101,8 @@ fn judge<B: SolidItem<f64> + std::fmt::Debug>(
         assert_eq!(distances[k].to_bits(), least.to_bits(), "{name}: {solid:?}");
         assert_eq!(surface.distance_to(*solid).to_bits(), least.to_bits());
         assert_eq!(touching[k], least == 0.0, "{name}: {solid:?}");
+        let triangles = (0..measured.len() as u32).map(|face| mesh.triangle(face));
+        judge_bracket(solid, triangles, &[0.0, least, f64::INFINITY]);
         for most in [0.0, least, 0.3] {
             let within = surface.faces_within(*solid, most);
             let expected: Vec<u32> = (0..measured.len() as u32)
