@@ -47,7 +47,11 @@ use crate::{
 
 /// A solid whose distances from faces have derivatives in batches.
 pub trait SolidItem<T: Real + Single>: MeshSolid<T> + Single<Scalar = T> + Validate {
-    /// Returns the adjoint of [`distance_from`](MeshSolid::distance_from).
+    /// The number of solids from which on a batch computes their distances: its program is made for each call.
+    const BATCH: usize = 64;
+    /// Returns [`distance_from`](MeshSolid::distance_from) as a function of batches.
+    fn distance_of() -> impl Function<(Triangle3<T>, Self), Out = T>;
+    /// Returns its adjoint.
     fn distance_vjp() -> impl Function<((Triangle3<T>, Self), T), Out = (Triangle3<T>, Self)>;
 }
 
@@ -61,6 +65,9 @@ pub trait SolidPoints<T: Real + Single>: SolidItem<T> {
 macro_rules! solid_items {
     ($($Shape:ident)*) => { $(
         impl<T: Real + Single> SolidItem<T> for $Shape<T> {
+            fn distance_of() -> impl Function<(Triangle3<T>, Self), Out = T> {
+                function::<_, Arguments<2>>(|face: Triangle3<_>, solid: $Shape<_>| distance(face, solid))
+            }
             fn distance_vjp()
             -> impl Function<((Triangle3<T>, Self), T), Out = (Triangle3<T>, Self)> {
                 function::<_, Arguments<2>>(|face: Triangle3<_>, solid: $Shape<_>| distance(face, solid)).vjp()
@@ -77,6 +84,11 @@ macro_rules! solid_items {
 solid_items! { Sphere Segment3 Capsule3 Triangle3 Tetrahedron Aabb3 Obb3 RoundBox3 }
 
 impl<T: Real + Single, const N: usize> SolidItem<T> for Hull3<T, N> {
+    // A search for each.
+    const BATCH: usize = usize::MAX;
+    fn distance_of() -> impl Function<(Triangle3<T>, Self), Out = T> {
+        Distance.row::<(Triangle3<T>, Hull3<T, N>)>()
+    }
     fn distance_vjp() -> impl Function<((Triangle3<T>, Self), T), Out = (Triangle3<T>, Self)> {
         Distance.row::<(Triangle3<T>, Hull3<T, N>)>().vjp()
     }
@@ -121,6 +133,11 @@ impl Cpu {
         faces: &[u32],
     ) -> Result<Vec<T>, Error> {
         check_faces(surface, solids, faces)?;
+        if solids.len() >= B::BATCH {
+            let corners = corners(surface.mesh(), faces.iter().copied());
+            let column = Indexed::unchecked(surface.mesh().vertices(), &corners);
+            return self.aligned(B::distance_of(), (column, solids));
+        }
         Ok(each(solids.len(), T::nearest(0.0), |i| {
             solids[i].distance_from(surface.mesh().triangle(faces[i]))
         }))

@@ -91,6 +91,18 @@ fn judge<B: SolidItem<f64> + std::fmt::Debug>(
     let found = cpu.nearest_faces_to(surface, solids).unwrap();
     let distances = cpu.solid_distances(surface, solids, &found).unwrap();
     let touching = cpu.touching(surface, solids).unwrap();
+    // Batches begin with a number of solids.
+    let many = |k: usize| k % solids.len();
+    let (repeated, faces): (Vec<B>, Vec<u32>) =
+        (0..99).map(|k| (solids[many(k)], found[many(k)])).unzip();
+    let repeated = cpu.solid_distances(surface, &repeated, &faces).unwrap();
+    for (k, distance) in repeated.into_iter().enumerate() {
+        assert_eq!(
+            distance.to_bits(),
+            distances[many(k)].to_bits(),
+            "{name}: {k}"
+        );
+    }
     for (k, solid) in solids.iter().enumerate() {
         let measured: Vec<f64> = (0..mesh.faces().len() as u32)
             .map(|face| solid.distance_from(mesh.triangle(face)))
