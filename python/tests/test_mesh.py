@@ -157,6 +157,73 @@ def test_gradients_of_tensors_are_those_of_differences(kind):
     assert query(points, vertices).shape == points.shape if kind == "closest" else points.shape[:-1]
 
 
+def checked_twice(torch, query, leaves):
+    """Second derivatives by differences, and first ones of both ways."""
+    assert torch.autograd.gradgradcheck(query, leaves, eps=1e-6, atol=1e-4, rtol=1e-4)
+    value = query(*leaves)
+    upstream = torch.tensor(np.random.default_rng(3).normal(size=value.shape))
+    first = torch.autograd.grad(value, leaves, upstream, retain_graph=True)
+    again = torch.autograd.grad(value, leaves, upstream, create_graph=True)
+    for one, other in zip(first, again):
+        np.testing.assert_allclose(other.detach(), one, atol=1e-11)
+
+
+@pytest.mark.parametrize("kind", ["distance", "squared_distance", "signed_distance", "wound_distance", "closest", "winding_number"])
+def test_queries_have_second_derivatives(kind):
+    torch = pytest.importorskip("torch")
+    pytest.importorskip("geograd.torch")
+    vertices, faces = bumpy(0)
+    open_faces = faces[1:] if kind in ("winding_number", "wound_distance") else faces
+    # Faces, edges and corners are the nearest ones.
+    points = POINTS[:200][np.abs(geograd.Mesh(vertices, faces).distance(POINTS[:200])) > 0.1][:30]
+    codes = geograd.Mesh(vertices, faces)._core.search(np.ascontiguousarray(points))[:, 1]
+    assert min((codes == 0).sum(), ((codes > 0) & (codes < 4)).sum(), (codes > 3).sum()) > 0
+    leaves = torch.tensor(points.reshape(2, 15, 3), requires_grad=True), torch.tensor(vertices, requires_grad=True)
+
+    def query(points, vertices):
+        mesh = geograd.torch.Mesh(vertices, open_faces)
+        return mesh.signed_distance(points, winding=True) if kind == "wound_distance" else getattr(mesh, kind)(points)
+
+    checked_twice(torch, query, leaves)
+
+
+def test_rays_have_second_derivatives():
+    torch = pytest.importorskip("torch")
+    pytest.importorskip("geograd.torch")
+    vertices, faces = bumpy(0)
+    random = np.random.default_rng(7)
+    starts = random.normal(size=(12, 3)) * 2
+    directions = random.normal(size=(12, 3)) * 0.2 - starts
+    directions[0] = starts[0]
+    leaves = tuple(torch.tensor(own, requires_grad=True) for own in (starts, directions, vertices))
+    values, hits = geograd.torch.Mesh(leaves[2], faces).rays(*leaves[:2])
+    assert hits[0] == -1 and (hits >= 0).sum() > 5
+
+    def query(starts, directions, vertices):
+        return geograd.torch.Mesh(vertices, faces).rays(starts, directions)[0][hits >= 0]
+
+    checked_twice(torch, query, leaves)
+
+
+def test_second_derivatives_on_a_mesh_are_finite():
+    torch = pytest.importorskip("torch")
+    pytest.importorskip("geograd.torch")
+    vertices, faces = bumpy(0)
+    vertices = torch.tensor(vertices, requires_grad=True)
+    on = vertices.detach()[faces[0]]
+    points = torch.stack([on.mean(0), on[:2].mean(0), on[0]]).requires_grad_()
+    for kind in ["distance", "squared_distance", "signed_distance", "closest"]:
+        value = getattr(geograd.torch.Mesh(vertices, faces), kind)(points)
+        (first,) = torch.autograd.grad(value.sum(), points, create_graph=True)
+        second = torch.autograd.grad((first * points).sum(), (points, vertices))
+        assert all(own.isfinite().all() for own in (first, *second)), kind
+    single = points.detach().float().requires_grad_()
+    value = geograd.torch.Mesh(vertices.detach().float(), faces).distance(single + 1.0)
+    (first,) = torch.autograd.grad(value.sum(), single, create_graph=True)
+    (second,) = torch.autograd.grad(first.square().sum(), single)
+    assert first.dtype == second.dtype == torch.float32 and second.isfinite().all()
+
+
 def test_gradients_of_rays_are_those_of_differences():
     torch = pytest.importorskip("torch")
     pytest.importorskip("geograd.torch")

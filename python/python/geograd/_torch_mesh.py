@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any, Optional, Union
 
 import numpy as np
@@ -12,6 +13,7 @@ from geograd import _core
 from geograd._mesh import SOLIDS, energy_columns
 from geograd._shapes import CLASSES
 from geograd._torch_host import checked
+from geograd._torch_mesh_formulas import differentiated, nearest, parameters, swept
 
 
 def _columns(name: str, tensor: Any, width: int) -> torch.Tensor:
@@ -42,12 +44,17 @@ class _Nearest(torch.autograd.Function):
         ctx.save_for_backward(points, vertices)
         if kind == "closest":
             return _like(core.closest(rows, found), points)
-        return torch.from_numpy(core.distances(kind, rows, found)).to(points.dtype).reshape(points.shape[:-1])
+        values = torch.from_numpy(core.distances(kind, rows, found))
+        ctx.signs = values.sign()
+        return values.to(points.dtype).reshape(points.shape[:-1])
 
     @staticmethod
-    @torch.autograd.function.once_differentiable
     def backward(ctx: Any, upstream: torch.Tensor) -> Any:
         points, vertices = ctx.saved_tensors
+        if torch.is_grad_enabled():
+            signs = None if ctx.kind == "closest" else ctx.signs
+            again = partial(nearest, ctx.kind, ctx.core.faces, ctx.found, signs)
+            return None, None, *differentiated(again, (points, vertices), upstream)
         bars = np.ascontiguousarray(upstream.detach().numpy(), np.float64)
         if ctx.kind == "closest":
             by_points, by_vertices = ctx.core.closest(ctx.rows, ctx.found, bars.reshape(-1, 3))
@@ -73,8 +80,13 @@ class _Rays(torch.autograd.Function):
         return values, indices
 
     @staticmethod
-    @torch.autograd.function.once_differentiable
     def backward(ctx: Any, upstream: torch.Tensor, _: Any) -> Any:
+        if torch.is_grad_enabled():
+            # A miss is infinitely far whatever moves; a loss may divide by that.
+            hit = torch.from_numpy(ctx.faces >= 0).reshape(upstream.shape)
+            upstream = torch.where(hit, upstream, torch.zeros_like(upstream))
+            again = partial(parameters, ctx.core.faces, ctx.faces)
+            return None, *differentiated(again, ctx.saved_tensors, upstream), None
         bars = np.ascontiguousarray(upstream.detach().numpy().reshape(-1), np.float64)
         # A miss is infinitely far whatever moves; a loss may divide by that.
         bars = np.where(ctx.faces < 0, 0.0, bars)
@@ -133,8 +145,11 @@ class _Winding(torch.autograd.Function):
         return torch.from_numpy(core.winding(rows)).to(points.dtype).reshape(points.shape[:-1])
 
     @staticmethod
-    @torch.autograd.function.once_differentiable
     def backward(ctx: Any, upstream: torch.Tensor) -> Any:
+        if torch.is_grad_enabled():
+            by_points, by_vertices = swept(ctx.core.faces, upstream.double(), *(own.double() for own in ctx.saved_tensors))
+            points, vertices = ctx.saved_tensors
+            return None, by_points.to(points.dtype), by_vertices.to(vertices.dtype)
         bars = np.ascontiguousarray(upstream.detach().numpy().reshape(-1), np.float64)
         parts = ctx.core.winding(ctx.rows, bars)
         return None, *(_like(part, own) for part, own in zip(parts, ctx.saved_tensors)), None
@@ -195,8 +210,8 @@ class _Energy(torch.autograd.Function):
 class Mesh:
     """A mesh whose vertices are a tensor, of shape (V, 3): :class:`geograd.Mesh` in torch.
 
-    Results have first derivatives by the points or rays and by the vertices, energies second ones, too. Sums over many points have the same bits every
-    time. Where a closest point jumps, the derivative is that of the lowest face. ``like`` is a mesh with the same faces, whose
+    Results have derivatives by the points or rays and by the vertices: of first order those of solids, other meshes and the centroid,
+    of second order all others. Sums over many points have the same bits every time. Where a closest point jumps, the derivative is that of the lowest face. ``like`` is a mesh with the same faces, whose
     tree follows the vertices: it saves most of the time of a new one in a loop. It runs on the CPU.
 
     >>> vertices = torch.rand(8, 3, requires_grad=True)
