@@ -2,7 +2,6 @@
 use crate::column::Kind;
 use crate::number::Number;
 use crate::raised;
-use crate::shapes::{Shape, array};
 use crate::table::table;
 use geograd::kernels::dynamic::Rows;
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
@@ -33,7 +32,7 @@ fn is_of_points(fields: &[String], size: usize) -> bool {
 impl IndexedItems {
     /// Reads the column and the indices: one for each row, or several along the last axis.
     pub fn new(
-        shared: &Bound<'_, PyAny>,
+        shared: Bound<'_, PyUntypedArray>,
         indices: &Bound<'_, PyAny>,
         kind: Kind,
     ) -> PyResult<Self> {
@@ -42,10 +41,6 @@ impl IndexedItems {
             table().name(kind),
             &table().shapes[usize::from(kind)].fields,
         );
-        let shared = match shared.cast::<Shape>() {
-            Ok(shape) => shape.get().array(py)?.into_bound(py),
-            Err(_) => array(shared, "shared", kind)?,
-        };
         let given = py.import("numpy")?.call_method1("asarray", (indices,))?;
         let given = given.cast_into::<PyUntypedArray>()?;
         let (corners, size) = match (given.shape(), shared.shape()) {

@@ -279,6 +279,10 @@ impl Shape {
         indices: &Bound<'_, PyAny>,
     ) -> PyResult<Py<PyAny>> {
         let kind: Kind = class.getattr("_kind")?.extract()?;
+        let shared = match shared.cast::<Shape>() {
+            Ok(shape) => shape.get().array(class.py())?.into_bound(class.py()),
+            Err(_) => array(shared, "shared", kind)?,
+        };
         let items = IndexedItems::new(shared, indices, kind)?;
         let lent = SharedItems(Arc::new(items));
         Ok(class.call1((Bound::new(class.py(), lent)?,))?.unbind())

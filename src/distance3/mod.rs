@@ -104,6 +104,7 @@ pub(crate) mod decided;
 pub(crate) mod deep;
 mod enclosed;
 mod endless;
+mod face_bracket;
 mod facing;
 pub(crate) mod formula;
 mod gjk;
@@ -121,7 +122,6 @@ pub mod polyline;
 pub(crate) mod relation;
 pub(crate) mod round;
 pub(crate) mod simplex;
-mod slabs;
 pub(crate) mod spot;
 pub(crate) mod straight;
 
@@ -131,7 +131,7 @@ pub use apart::{
 };
 pub use contact_points::{ContactPoint3, Contacts3};
 pub use curved::{BySupport, SupportFunction};
+pub(crate) use face_bracket::{Bracket, FaceBracket};
 pub use manifold::contacts;
 pub(crate) use manifold_record::ContactRecord;
 pub use outcome::{Contact3, PointPair3};
-pub(crate) use slabs::{Clearly, Slabs};

@@ -1,6 +1,6 @@
 //! Solids that a mesh has distances from.
 use super::mesh_column::plain;
-use crate::distance3::{Clearly, PointPair3, Slabs, closest_points, distance};
+use crate::distance3::{Bracket, FaceBracket, PointPair3, closest_points, distance};
 use crate::{
     Aabb3, Capsule3, Hull3, Obb3, Pack, RoundBox3, Scalar, Segment3, Sphere, Tetrahedron,
     Triangle3, Vec3,
@@ -189,12 +189,12 @@ macro_rules! solids {
             }
             $(fn bracket(&self) -> impl Fn(Triangle3<f64>, f64) -> [f64; 2] + '_ {
                 let $body = plainly(self);
-                let (slabs, measure) = (Slabs::new(&$corners), self.measure());
-                move |face, most| match slabs.told(face, most) {
-                    Clearly::Beyond => [f64::INFINITY; 2],
-                    Clearly::Meets => [0.0; 2],
-                    Clearly::Between(low, high) => [low, high],
-                    Clearly::Unclear => [measure(face); 2],
+                let (corners, measure) = (FaceBracket::new(&$corners), self.measure());
+                move |face, most| match corners.bracket(face, most) {
+                    Bracket::Beyond => [f64::INFINITY; 2],
+                    Bracket::Meets => [0.0; 2],
+                    Bracket::Between(low, high) => [low, high],
+                    Bracket::Unclear => [measure(face); 2],
                 }
             })?
             fn distance_from(&self, face: Triangle3<S>) -> S {

@@ -18,7 +18,7 @@ const NEAR: f64 = 1e-6;
 
 /// Bounds of the distance of two bodies.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Clearly {
+pub(crate) enum Bracket {
     /// They are farther from each other than the distance that matters.
     Beyond,
     /// They have points in common, and some more where either is moved by a rounding.
@@ -31,7 +31,7 @@ pub(crate) enum Clearly {
 }
 
 /// The corners of a solid, and the way to the last triangle.
-pub(crate) struct Slabs {
+pub(crate) struct FaceBracket {
     corners: Vec<Vec3<f64>>,
     /// The largest coordinate.
     reach: f64,
@@ -55,23 +55,23 @@ fn highest(corners: &[Vec3<f64>], way: Vec3<f64>) -> Vec3<f64> {
     best.1
 }
 
-impl Slabs {
+impl FaceBracket {
     /// Creates those of a solid with some corners, of which there is one at least.
     pub fn new(corners: &[Vec3<f64>]) -> Self {
-        Slabs {
+        FaceBracket {
             corners: corners.to_vec(),
             reach: reach(corners),
             way: Cell::new(Vec3::new(1.0, 0.0, 0.0)),
         }
     }
     /// Returns what is clear about the distance of a triangle, of which only that up to a number matters.
-    pub fn told(&self, face: Triangle3<f64>, most: f64) -> Clearly {
+    pub fn bracket(&self, face: Triangle3<f64>, most: f64) -> Bracket {
         let face = face.corners();
         let size = self.reach.max(reach(&face));
         let margin = ROUNDINGS * size;
         let bound = most + margin;
         if !size.is_finite() {
-            return Clearly::Unclear;
+            return Bracket::Unclear;
         }
         let lowest = |way: Vec3<f64>| {
             let (a, b) = (highest(&self.corners, way), highest(&face, -way));
@@ -81,7 +81,7 @@ impl Slabs {
         let start = lowest(first);
         let least = first.dot(start.way) / first.length();
         if least > bound {
-            return Clearly::Beyond;
+            return Bracket::Beyond;
         }
         let found = gap_until(lowest, start, least, |gap, off| {
             gap.least > bound || gap.least > margin && off <= NEAR
@@ -89,13 +89,13 @@ impl Slabs {
         if found.least > margin {
             self.way.set(found.way);
             return match found.least > bound {
-                true => Clearly::Beyond,
-                false => Clearly::Between(found.least - margin, found.way.length() + margin),
+                true => Bracket::Beyond,
+                false => Bracket::Between(found.least - margin, found.way.length() + margin),
             };
         }
         match found.around() {
-            Some(corners) if is_inside(corners, INSIDE * size) => Clearly::Meets,
-            _ => Clearly::Unclear,
+            Some(corners) if is_inside(corners, INSIDE * size) => Bracket::Meets,
+            _ => Bracket::Unclear,
         }
     }
 }
