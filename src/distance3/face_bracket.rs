@@ -30,7 +30,7 @@ pub(crate) enum Bracket {
     Unclear,
 }
 
-/// The corners of a solid, and the way to the last triangle.
+/// The corners of a solid, whose distances from triangles it brackets, and the way to the last one.
 pub(crate) struct FaceBracket {
     corners: Vec<Vec3<f64>>,
     /// The largest coordinate.
@@ -56,7 +56,7 @@ fn highest(corners: &[Vec3<f64>], way: Vec3<f64>) -> Vec3<f64> {
 }
 
 impl FaceBracket {
-    /// Creates those of a solid with some corners, of which there is one at least.
+    /// Creates the brackets of a solid with some corners, of which there is one at least.
     pub fn new(corners: &[Vec3<f64>]) -> Self {
         FaceBracket {
             corners: corners.to_vec(),
@@ -64,7 +64,7 @@ impl FaceBracket {
             way: Cell::new(Vec3::new(1.0, 0.0, 0.0)),
         }
     }
-    /// Returns what is clear about the distance of a triangle, of which only that up to a number matters.
+    /// Returns what is clear about the distance of a triangle; one above a number does not matter.
     pub fn bracket(&self, face: Triangle3<f64>, most: f64) -> Bracket {
         let face = face.corners();
         let size = self.reach.max(reach(&face));

@@ -147,8 +147,8 @@ pub trait MeshSolid<S: Scalar<Mask = bool>>: Copy + Send + Sync {
     #[must_use]
     fn measure(&self) -> impl Fn(Triangle3<f64>) -> f64 + '_;
     /// Returns a function of two numbers between which that distance is, the lower one first: both zero only where it is
-    /// zero. It may return any larger numbers where the distance is above a second argument. Searches measure few triangles
-    /// by it; unless it is given, it measures each.
+    /// zero. It may return any larger numbers where the distance is above its second argument. Searches measure few triangles
+    /// by it. By default it measures each.
     #[must_use]
     fn bracket(&self) -> impl Fn(Triangle3<f64>, f64) -> [f64; 2] + '_ {
         let measure = self.measure();
@@ -198,7 +198,7 @@ macro_rules! solids {
                 }
             })?
             fn distance_from(&self, face: Triangle3<S>) -> S {
-                // A search of its own takes ten times as long to see the same.
+                // The search of the distance takes some ten times as long to see that they meet.
                 $(let $bracket = MeshSolid::<S>::bracket(self);
                 if $bracket(plainly(&face), 0.0)[1] == 0.0 {
                     return S::zero();
