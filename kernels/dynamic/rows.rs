@@ -12,15 +12,27 @@ use std::ops::Range;
 enum RowMemory<'a, T> {
     /// Row-major: the fields of a row are adjacent.
     Together(&'a [T]),
+    /// Elsewhere.
+    Scattered(Scattered<'a, T>),
+}
+
+/// The memory of rows whose numbers are not adjacent.
+#[derive(Clone, Copy, Debug)]
+enum Scattered<'a, T> {
     /// One slice per field.
-    Apart(&'a [&'a [T]]),
-    /// Items of a shared column, so many of them a row.
-    Indexed {
-        shared: &'a [T],
-        size: usize,
-        indices: &'a [u32],
-        corners: usize,
-    },
+    Fields(&'a [&'a [T]]),
+    /// Items of a shared column.
+    Items(SharedItems<'a, T>),
+}
+
+/// Items of a shared column, so many of them a row.
+#[derive(Clone, Copy, Debug)]
+struct SharedItems<'a, T> {
+    shared: &'a [T],
+    /// The number of numbers of an item.
+    size: usize,
+    indices: &'a [u32],
+    corners: usize,
 }
 
 /// One argument of every item as plain numbers: rows in row-major order, a slice for every field, or items of a shared
@@ -66,7 +78,7 @@ impl<'a, T: Real> Rows<'a, T> {
     #[must_use]
     pub const fn apart(fields: &'a [&'a [T]]) -> Self {
         Rows {
-            numbers: RowMemory::Apart(fields),
+            numbers: RowMemory::Scattered(Scattered::Fields(fields)),
             fields: fields.len(),
             is_one: false,
         }
@@ -88,12 +100,12 @@ impl<'a, T: Real> Rows<'a, T> {
     #[must_use]
     pub const fn indexed(shared: &'a [T], size: usize, indices: &'a [u32], corners: usize) -> Self {
         Rows {
-            numbers: RowMemory::Indexed {
+            numbers: RowMemory::Scattered(Scattered::Items(SharedItems {
                 shared,
                 size,
                 indices,
                 corners,
-            },
+            })),
             fields: size * corners,
             is_one: false,
         }
@@ -108,17 +120,16 @@ impl<'a, T: Real> Rows<'a, T> {
         self.column(Argument::Named("indices"), self.fields)?;
         let expected = self.count().unwrap_or(1) * self.fields;
         expect(Argument::Upstream, expected, derivatives.len())?;
-        let RowMemory::Indexed {
-            shared,
-            size,
-            indices,
-            ..
-        } = self.numbers
-        else {
+        let RowMemory::Scattered(Scattered::Items(items)) = self.numbers else {
             return Ok(derivatives.to_vec());
         };
+        let SharedItems { shared, size, .. } = items;
         let mut sums = vec![0.0; shared.len()];
-        for (&index, part) in indices.iter().zip(derivatives.chunks_exact(size.max(1))) {
+        for (&index, part) in items
+            .indices
+            .iter()
+            .zip(derivatives.chunks_exact(size.max(1)))
+        {
             let own = &mut sums[size * index as usize..];
             own.iter_mut()
                 .zip(part)
@@ -131,10 +142,10 @@ impl<'a, T: Real> Rows<'a, T> {
     pub fn numbers(&self) -> Cow<'a, [T]> {
         match self.numbers {
             RowMemory::Together(numbers) => Cow::Borrowed(numbers),
-            _ => {
+            RowMemory::Scattered(memory) => {
                 let count = self.count().unwrap_or(0);
                 let mut rows = vec![T::default(); count * self.fields];
-                self.numbers.read(0..count, &mut rows);
+                memory.read(0..count, &mut rows);
                 Cow::Owned(rows)
             }
         }
@@ -144,10 +155,7 @@ impl<'a, T: Real> Rows<'a, T> {
     pub fn count(&self) -> Option<usize> {
         let numbers = match self.numbers {
             RowMemory::Together(numbers) => numbers.len().checked_div(self.fields).unwrap_or(0),
-            RowMemory::Apart(fields) => fields.iter().map(|field| field.len()).min().unwrap_or(0),
-            RowMemory::Indexed {
-                indices, corners, ..
-            } => indices.len().checked_div(corners).unwrap_or(0),
+            RowMemory::Scattered(memory) => memory.count(),
         };
         (!self.is_one).then_some(numbers)
     }
@@ -158,7 +166,7 @@ impl<'a, T: Real> Rows<'a, T> {
     }
     /// Returns `true` unless the numbers of a row are adjacent.
     pub(super) const fn is_apart(&self) -> bool {
-        !matches!(self.numbers, RowMemory::Together(_))
+        matches!(self.numbers, RowMemory::Scattered(_))
     }
     /// Returns some rows, copied to `room` unless their numbers are adjacent; a row that stands for all is returned as it is.
     pub(super) fn some<'s>(&'s self, items: Range<usize>, room: &'s mut Vec<T>) -> Rows<'s, T> {
@@ -168,9 +176,9 @@ impl<'a, T: Real> Rows<'a, T> {
                 let fields = self.fields;
                 Rows::new(&numbers[items.start * fields..items.end * fields], fields)
             }
-            _ => {
+            RowMemory::Scattered(memory) => {
                 room.resize(items.len() * self.fields, T::default());
-                self.numbers.read(items, room);
+                memory.read(items, room);
                 Rows::new(room, self.fields)
             }
         }
@@ -190,29 +198,14 @@ impl<'a, T: Real> Rows<'a, T> {
         }
         match self.numbers {
             RowMemory::Together(numbers) => {
-                let whole = numbers.len() - numbers.len() % expected.max(1);
-                expect(argument, whole, numbers.len())?;
+                expect_parts(argument, numbers.len(), expected)?;
             }
-            RowMemory::Apart(fields) => {
+            RowMemory::Scattered(Scattered::Fields(fields)) => {
                 let count = fields.first().map_or(0, |field| field.len());
                 let mut lengths = fields.iter().map(|field| field.len());
                 lengths.try_for_each(|found| expect(argument, count, found))?;
             }
-            RowMemory::Indexed {
-                shared,
-                size,
-                indices,
-                corners,
-            } => {
-                let (size, corners) = (size.max(1), corners.max(1));
-                expect(argument, shared.len() - shared.len() % size, shared.len())?;
-                expect(
-                    argument,
-                    indices.len() - indices.len() % corners,
-                    indices.len(),
-                )?;
-                in_range(argument, shared.len() / size, indices, [0, corners])?;
-            }
+            RowMemory::Scattered(Scattered::Items(items)) => items.check(argument)?,
         }
         Ok(self.lent())
     }
@@ -220,34 +213,57 @@ impl<'a, T: Real> Rows<'a, T> {
     pub(super) fn lent(&self) -> Column<'a, T> {
         match self.numbers {
             RowMemory::Together(numbers) => Column::lent(numbers, self.fields, self.count()),
-            numbers => {
-                let read = move |items: Range<usize>, rows: &mut [T]| numbers.read(items, rows);
+            RowMemory::Scattered(memory) => {
+                let read = move |items: Range<usize>, rows: &mut [T]| memory.read(items, rows);
                 Column::read(self.fields, self.count().unwrap_or(0), read)
             }
         }
     }
 }
 
-impl<T: Real> RowMemory<'_, T> {
+/// Checks that so many numbers make whole parts of a length.
+fn expect_parts(argument: Argument, count: usize, part: usize) -> Result<(), Error> {
+    expect(argument, count - count % part.max(1), count)
+}
+
+impl<T: Real> Scattered<'_, T> {
+    /// Returns the number of rows.
+    fn count(&self) -> usize {
+        match self {
+            Scattered::Fields(fields) => fields.iter().map(|field| field.len()).min().unwrap_or(0),
+            Scattered::Items(items) => items.indices.len().checked_div(items.corners).unwrap_or(0),
+        }
+    }
     /// Copies some rows to row-major order.
     fn read(&self, items: Range<usize>, rows: &mut [T]) {
-        match *self {
-            RowMemory::Together(numbers) => {
-                let fields = rows.len().checked_div(items.len()).unwrap_or(0);
-                rows.copy_from_slice(&numbers[items.start * fields..items.end * fields]);
-            }
-            RowMemory::Apart(fields) => gather(fields, items, rows),
-            RowMemory::Indexed {
-                shared,
-                size,
-                indices,
-                corners,
-            } => {
-                let own = &indices[items.start * corners..items.end * corners];
-                for (place, &index) in rows.chunks_exact_mut(size.max(1)).zip(own) {
-                    place.copy_from_slice(&shared[size * index as usize..][..size]);
-                }
-            }
+        match self {
+            Scattered::Fields(fields) => gather(fields, items, rows),
+            Scattered::Items(shared) => shared.read(items, rows),
+        }
+    }
+}
+
+impl<T: Real> SharedItems<'_, T> {
+    /// Checks that items and rows are whole, and that indices are in range.
+    fn check(&self, argument: Argument) -> Result<(), Error> {
+        let (size, corners) = (self.size.max(1), self.corners.max(1));
+        expect_parts(argument, self.shared.len(), size)?;
+        expect_parts(argument, self.indices.len(), corners)?;
+        in_range(
+            argument,
+            self.shared.len() / size,
+            self.indices,
+            [0, corners],
+        )
+    }
+    /// Copies some rows to row-major order.
+    fn read(&self, items: Range<usize>, rows: &mut [T]) {
+        let (size, own) = (
+            self.size,
+            items.start * self.corners..items.end * self.corners,
+        );
+        for (place, &index) in rows.chunks_exact_mut(size.max(1)).zip(&self.indices[own]) {
+            place.copy_from_slice(&self.shared[size * index as usize..][..size]);
         }
     }
 }

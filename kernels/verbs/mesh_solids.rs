@@ -45,13 +45,23 @@ use crate::{
     Triangle3, Validate, Vec3,
 };
 
+/// The number of solids from which on a batch computes their distances: its program is made for each call.
+const BATCH: usize = 64;
+
+/// Faces of a mesh as a column over its vertices.
+pub type FaceColumn<'a, T> = Indexed<'a, Vec3<T>, [u32; 3]>;
+
 /// A solid whose distances from faces have derivatives in batches.
 pub trait SolidItem<T: Real + Single>: MeshSolid<T> + Single<Scalar = T> + Validate {
-    /// The number of solids from which on a batch computes their distances: its program is made for each call.
-    const BATCH: usize = 64;
-    /// Returns [`distance_from`](MeshSolid::distance_from) as a function of batches.
-    fn distance_of() -> impl Function<(Triangle3<T>, Self), Out = T>;
-    /// Returns its adjoint.
+    /// Returns the distances of solids from faces by a batch; `None` of solids that are as fast one by one.
+    fn distances(
+        _cpu: &Cpu,
+        _faces: FaceColumn<'_, T>,
+        _solids: &[Self],
+    ) -> Option<Result<Vec<T>, Error>> {
+        None
+    }
+    /// Returns the adjoint of [`distance_from`](MeshSolid::distance_from).
     fn distance_vjp() -> impl Function<((Triangle3<T>, Self), T), Out = (Triangle3<T>, Self)>;
 }
 
@@ -65,8 +75,9 @@ pub trait SolidPoints<T: Real + Single>: SolidItem<T> {
 macro_rules! solid_items {
     ($($Shape:ident)*) => { $(
         impl<T: Real + Single> SolidItem<T> for $Shape<T> {
-            fn distance_of() -> impl Function<(Triangle3<T>, Self), Out = T> {
-                function::<_, Arguments<2>>(|face: Triangle3<_>, solid: $Shape<_>| distance(face, solid))
+            fn distances(cpu: &Cpu, faces: FaceColumn<'_, T>, solids: &[Self]) -> Option<Result<Vec<T>, Error>> {
+                let run = function::<_, Arguments<2>>(|face: Triangle3<_>, solid: $Shape<_>| distance(face, solid));
+                Some(cpu.aligned(run, (faces, solids)))
             }
             fn distance_vjp()
             -> impl Function<((Triangle3<T>, Self), T), Out = (Triangle3<T>, Self)> {
@@ -84,11 +95,6 @@ macro_rules! solid_items {
 solid_items! { Sphere Segment3 Capsule3 Triangle3 Tetrahedron Aabb3 Obb3 RoundBox3 }
 
 impl<T: Real + Single, const N: usize> SolidItem<T> for Hull3<T, N> {
-    // A search for each.
-    const BATCH: usize = usize::MAX;
-    fn distance_of() -> impl Function<(Triangle3<T>, Self), Out = T> {
-        Distance.row::<(Triangle3<T>, Hull3<T, N>)>()
-    }
     fn distance_vjp() -> impl Function<((Triangle3<T>, Self), T), Out = (Triangle3<T>, Self)> {
         Distance.row::<(Triangle3<T>, Hull3<T, N>)>().vjp()
     }
@@ -133,10 +139,12 @@ impl Cpu {
         faces: &[u32],
     ) -> Result<Vec<T>, Error> {
         check_faces(surface, solids, faces)?;
-        if solids.len() >= B::BATCH {
+        if solids.len() >= BATCH {
             let corners = corners(surface.mesh(), faces.iter().copied());
             let column = Indexed::unchecked(surface.mesh().vertices(), &corners);
-            return self.aligned(B::distance_of(), (column, solids));
+            if let Some(all) = B::distances(self, column, solids) {
+                return all;
+            }
         }
         Ok(each(solids.len(), T::nearest(0.0), |i| {
             solids[i].distance_from(surface.mesh().triangle(faces[i]))

@@ -1,7 +1,7 @@
 //! Arrays as rows of numbers, and arrays for results.
 use crate::column::{Column, NUMBERS};
 use crate::indexed::IndexedItems;
-use crate::lent::{LentNumbers, in_use};
+use crate::lent::{LentNumbers, in_use, plain};
 use crate::number::Number;
 use crate::shapes::{Content, Shape, array, stacked};
 use crate::table::table;
@@ -237,22 +237,6 @@ impl<'py, T: Number> ArgumentNumbers<'py, T> {
 fn slice<'s, T: Number>(own: &'s PyReadonlyArrayDyn<'_, T>) -> PyResult<&'s [T]> {
     let failed = |error: numpy::AsSliceError| PyValueError::new_err(error.to_string());
     own.as_slice().map_err(failed)
-}
-
-/// Returns a contiguous array in the format: the array itself, or a copy.
-fn plain<T: Number>(array: Bound<'_, PyAny>) -> PyResult<Bound<'_, PyArrayDyn<T>>> {
-    let py = array.py();
-    if let Ok(same) = array.cast::<PyArrayDyn<T>>()
-        && same.is_c_contiguous()
-    {
-        return Ok(same.clone());
-    }
-    let options = PyDict::new(py);
-    options.set_item("order", "C")?;
-    options.set_item("copy", false)?;
-    options.set_item("subok", false)?;
-    let made = array.call_method("astype", (numpy::dtype::<T>(py),), Some(&options))?;
-    Ok(made.cast_into::<PyArrayDyn<T>>()?)
 }
 
 /// Returns the shape of an array of a column.

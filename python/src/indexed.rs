@@ -1,10 +1,11 @@
 //! Shapes that are made of items of a shared column, by indices.
 use crate::column::Kind;
+use crate::lent::plain;
 use crate::number::Number;
 use crate::raised;
 use crate::table::table;
 use geograd::kernels::dynamic::Rows;
-use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
+use numpy::{PyArray1, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 
@@ -114,14 +115,8 @@ impl IndexedItems {
         derivatives: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let py = derivatives.py();
-        let format = (numpy::dtype::<T>(py),);
-        let contiguous = |array: &Bound<'py, PyAny>| {
-            let numpy = py.import("numpy")?;
-            let own = numpy.call_method1("ascontiguousarray", (array, format.0.clone()))?;
-            Ok::<_, PyErr>(own.cast_into::<PyArrayDyn<T>>()?)
-        };
-        let shared = contiguous(self.shared.bind(py))?;
-        let derivatives = contiguous(derivatives)?;
+        let shared = plain::<T>(self.shared.bind(py).as_any().clone())?;
+        let derivatives = plain::<T>(derivatives.clone())?;
         let (count, size) = (shared.shape()[0], shared.shape()[1]);
         if *derivatives.shape() != [self.count(), self.corners * size] {
             return Err(PyValueError::new_err(format!(

@@ -1,8 +1,12 @@
 //! Numbers of arrays of a call, and new arrays.
+use crate::number::Number;
 use numpy::ndarray::Dimension;
-use numpy::{Element, PyArray, PyArray1, PyArrayMethods, PyReadonlyArray, PyUntypedArrayMethods};
+use numpy::{
+    Element, PyArray, PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArray, PyUntypedArrayMethods,
+};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 
 /// The most numbers that are copied: to borrow an array takes as long as to copy so many.
 const COPIED: usize = 1024;
@@ -48,4 +52,20 @@ pub fn array_of<T: Element>(py: Python<'_>, list: Vec<T>) -> Bound<'_, PyArray1<
         true => PyArray1::from_slice(py, &list),
         false => PyArray1::from_vec(py, list),
     }
+}
+
+/// Returns a contiguous array in the format: the array itself, or a copy.
+pub fn plain<T: Number>(array: Bound<'_, PyAny>) -> PyResult<Bound<'_, PyArrayDyn<T>>> {
+    let py = array.py();
+    if let Ok(same) = array.cast::<PyArrayDyn<T>>()
+        && same.is_c_contiguous()
+    {
+        return Ok(same.clone());
+    }
+    let options = PyDict::new(py);
+    options.set_item("order", "C")?;
+    options.set_item("copy", false)?;
+    options.set_item("subok", false)?;
+    let made = array.call_method("astype", (numpy::dtype::<T>(py),), Some(&options))?;
+    Ok(made.cast_into::<PyArrayDyn<T>>()?)
 }

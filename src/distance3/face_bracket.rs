@@ -3,7 +3,7 @@
 //! A search for the nearest of many triangles measures most of them in vain. Two convex bodies are at least as far apart
 //! as the width of a slab between them, and the iteration by supports finds a wide one after a step or two, the first one
 //! across the way on which the last triangle was found.
-use super::gjk::{PointDifference, gap_until};
+use super::gjk::{FACES, PointDifference, gap_until};
 use crate::{Triangle3, Vec3};
 use std::cell::Cell;
 
@@ -102,12 +102,10 @@ impl FaceBracket {
 
 /// Returns `true` if the origin is inside of a tetrahedron, by some length at least.
 fn is_inside(corners: [Vec3<f64>; 4], length: f64) -> bool {
-    [[0, 1, 2, 3], [0, 2, 3, 1], [0, 3, 1, 2], [1, 3, 2, 0]]
-        .into_iter()
-        .all(|[i, j, k, behind]| {
-            let [p, q, r, s] = [i, j, k, behind].map(|k| corners[k]);
-            let normal = (q - p).cross(r - p);
-            let side = normal.dot(s - p).signum();
-            -side * normal.dot(p) > length * normal.length()
-        })
+    FACES.into_iter().all(|face| {
+        let [p, q, r, behind] = face.map(|k| corners[k]);
+        let normal = (q - p).cross(r - p);
+        let side = normal.dot(behind - p).signum();
+        -side * normal.dot(p) > length * normal.length()
+    })
 }

@@ -80,6 +80,8 @@ pub(super) struct Gap<D> {
     count: usize,
 }
 
+/// The faces of a tetrahedron, each with the corner behind it.
+pub(super) const FACES: [[usize; 4]; 4] = [[0, 1, 2, 3], [0, 2, 3, 1], [0, 3, 1, 2], [1, 3, 2, 0]];
 /// The relative gap of both bounds of the square at which it ends.
 const PROGRESS: f64 = 1e-15;
 /// The square of a length that is none, relative to the square of the size.
@@ -160,7 +162,7 @@ fn nearest<D: Difference>(simplex: &[D], apart: bool) -> Option<[f64; 4]> {
             let (mut best, mut inside) = (f64::INFINITY, true);
             // A face of solids apart that has the origin behind it counts only if rounding has put the origin behind all.
             for all_faces in [false, true] {
-                for [i, j, k, behind] in [[0, 1, 2, 3], [0, 2, 3, 1], [0, 3, 1, 2], [1, 3, 2, 0]] {
+                for [i, j, k, behind] in FACES {
                     let normal = (all[j] - all[i]).cross(all[k] - all[i]);
                     let (origin, last) = (-normal.dot(all[i]), normal.dot(all[behind] - all[i]));
                     if !all_faces && origin * last > 0.0 {

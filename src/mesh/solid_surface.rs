@@ -37,36 +37,36 @@ pub(crate) type FaceVisits =
 pub(crate) type PairVisits =
     fn([&MeshTree; 2], &Pose3<f64>, f64, &mut dyn FnMut(u32, u32) -> Wanted);
 
-/// The least measure so far, and its record; the lowest of equal ones.
-struct LeastRecord<R> {
-    measure: f64,
-    record: Option<R>,
+/// The least distance so far, and its faces; the lowest of equal ones.
+struct LeastPair {
+    distance: f64,
+    faces: Option<FacePair>,
 }
 
-impl<R: Copy + Ord> LeastRecord<R> {
+impl LeastPair {
     fn new() -> Self {
-        LeastRecord {
-            measure: f64::INFINITY,
-            record: None,
+        LeastPair {
+            distance: f64::INFINITY,
+            faces: None,
         }
     }
-    /// Compares with another record. Of zeros only those of lower records are wanted, of which `first` gives the face.
+    /// Compares with other faces. Of zeros only those of lower faces are wanted.
     #[inline]
-    fn with(&mut self, record: R, measure: impl FnOnce() -> f64, first: fn(R) -> u32) -> Wanted {
-        let is_lower = self.record.is_none_or(|own| record < own);
-        // Nothing is below zero, so that a later record need not be measured.
-        if self.measure > 0.0 || is_lower {
-            let measure = measure();
-            if measure < self.measure || measure == self.measure && is_lower {
-                (self.measure, self.record) = (measure, Some(record));
+    fn with(&mut self, faces: FacePair, measure: impl FnOnce() -> f64) -> Wanted {
+        let is_lower = self.faces.is_none_or(|own| faces < own);
+        // Nothing is below zero, so that later faces need not be measured.
+        if self.distance > 0.0 || is_lower {
+            let distance = measure();
+            if distance < self.distance || distance == self.distance && is_lower {
+                (self.distance, self.faces) = (distance, Some(faces));
             }
         }
-        match self.record {
-            Some(own) if self.measure == 0.0 => Wanted {
+        match self.faces {
+            Some(own) if self.distance == 0.0 => Wanted {
                 distance: 0.0,
-                most: first(own),
+                most: own.first,
             },
-            _ => Wanted::up_to(self.measure),
+            _ => Wanted::up_to(self.distance),
         }
     }
 }
@@ -228,13 +228,13 @@ pub(crate) fn nearest_pair<S: Scalar<Mask = bool>>(
         pose,
         placed: None,
     };
-    let mut least = LeastRecord::new();
+    let mut least = LeastPair::new();
     let trees = [own.tree(), other.tree()];
     visit(trees, &pose, f64::INFINITY, &mut |first, second| {
         let pair = FacePair { first, second };
-        least.with(pair, || measure.of(pair), |pair| pair.first)
+        least.with(pair, || measure.of(pair))
     });
-    least.record
+    least.faces
 }
 
 /// Returns the pairs of faces whose distance is at most a number, in their order; of all if `only` is `None`, else as

@@ -40,7 +40,7 @@ class _Nearest(torch.autograd.Function):
     def forward(ctx: Any, core: Any, kind: str, points: torch.Tensor, vertices: torch.Tensor) -> torch.Tensor:
         rows = _array("points", points)
         found = core.search(rows)
-        ctx.core, ctx.kind, ctx.found, ctx.rows = core, kind, found, rows
+        ctx.core, ctx.kind, ctx.found, ctx.rows, ctx.signs = core, kind, found, rows, None
         ctx.save_for_backward(points, vertices)
         if kind == "closest":
             return _like(core.closest(rows, found), points)
@@ -52,8 +52,7 @@ class _Nearest(torch.autograd.Function):
     def backward(ctx: Any, upstream: torch.Tensor) -> Any:
         points, vertices = ctx.saved_tensors
         if torch.is_grad_enabled():
-            signs = None if ctx.kind == "closest" else ctx.signs
-            again = partial(nearest, ctx.kind, ctx.core.faces, ctx.found, signs)
+            again = partial(nearest, ctx.kind, ctx.core.faces, ctx.found, ctx.signs)
             return None, None, *differentiated(again, (points, vertices), upstream)
         bars = np.ascontiguousarray(upstream.detach().numpy(), np.float64)
         if ctx.kind == "closest":
@@ -211,8 +210,9 @@ class Mesh:
     """A mesh whose vertices are a tensor, of shape (V, 3): :class:`geograd.Mesh` in torch.
 
     Results have derivatives by the points or rays and by the vertices: of first order those of solids, other meshes and the centroid,
-    of second order all others. Sums over many points have the same bits every time. Where a closest point jumps, the derivative is that of the lowest face. ``like`` is a mesh with the same faces, whose
-    tree follows the vertices: it saves most of the time of a new one in a loop. It runs on the CPU.
+    of second order all others. Sums over many points have the same bits every time. Where a closest point jumps, the derivative is
+    that of the lowest face. ``like`` is a mesh with the same faces, whose tree follows the vertices: it saves most of the time of a
+    new one in a loop. It runs on the CPU.
 
     >>> vertices = torch.rand(8, 3, requires_grad=True)
     >>> mesh = geograd.torch.Mesh(vertices, [[0, 1, 2], [2, 1, 3]])

@@ -39,8 +39,8 @@ def _length(v: torch.Tensor) -> torch.Tensor:
     return torch.where(none, torch.zeros_like(square), torch.where(none, torch.ones_like(square), square).sqrt())
 
 
-def nearest(kind: str, faces: Any, found: Any, signs: torch.Tensor, points: torch.Tensor, vertices: torch.Tensor) -> torch.Tensor:
-    """Distances of points, or their closest points, along records: a face and a feature each."""
+def nearest(kind: str, faces: Any, found: Any, signs: Any, points: torch.Tensor, vertices: torch.Tensor) -> torch.Tensor:
+    """Distances of points with signs, or their closest points, along records: a face and a feature each."""
     points = points.reshape(-1, 3)
     corners = vertices[torch.from_numpy(faces[found[:, 0]])]
     a, b, c = corners.unbind(1)

@@ -51,7 +51,7 @@ macro_rules! same_in_few_digits {
     })* };
 }
 
-/// Of a flat ellipsoid the support jumps from end to end with a normal across it, whose rounding then counts.
+/// The support of a flat ellipsoid jumps from end to end with a normal across it, whose rounding then counts.
 #[test]
 fn narrow_numbers_give_the_distances_of_wide_ones() {
     same_in_few_digits!(
