@@ -115,7 +115,7 @@ impl<T: Real> SearchCode<T> {
             decide: decide::<D, R>,
             record: recorded_any::<D>,
             codes: codes::<R>,
-            by_kind: by_kind::<R>,
+            by_kind: |numbers| by_kind::<R>(numbers).into_owned(),
             by_shape: by_shape::<R>,
             input: input_sizes::<R>(),
             hints: D::Hints::<T>::LEN,

@@ -95,9 +95,11 @@ pub(crate) fn compute_unchecked<'a, T: Real>(
     count: usize,
     targets: Vec<Option<Target<'a, T>>>,
 ) -> bool {
-    let is_program = plan.maker.rows().is_some() && plan.rare.is_none();
-    let is_plain = plan.arguments.iter().all(|x| x.frame.is_none());
-    is_program
+    let is_brief = plan.maker.rows().is_some_and(|rows| rows.is_brief());
+    let mut arguments = plan.arguments.iter();
+    let is_plain = arguments.all(|x| x.frame.is_none() && x.all_ordinary.is_some());
+    is_brief
+        && plan.rare.is_none()
         && is_plain
         && Simd::current().is_ok()
         && stretches::compute(Aligned {

@@ -25,4 +25,8 @@ pub(crate) trait OverRows<T> {
         wanted: &mut [ResultRows<'_, T>],
         far: bool,
     );
+    /// Returns `true` if to compute items again takes no longer than to read their numbers twice.
+    fn is_brief(&self) -> bool {
+        true
+    }
 }

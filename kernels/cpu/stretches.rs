@@ -107,10 +107,13 @@ struct Stretch<'a, T> {
 impl<T: Real> Stretch<'_, T> {
     /// Returns `true` if quick tests find all numbers valid. They may reject valid numbers, too.
     fn is_sound(&self) -> bool {
-        self.numbers.iter().enumerate().all(|(k, numbers)| {
-            let own = self.plan.arguments.get(k);
-            own.map_or(kernels_in::<T>().all_finite, |x| x.all_ordinary)(numbers)
-        })
+        self.numbers
+            .iter()
+            .enumerate()
+            .all(|(k, numbers)| match self.plan.arguments.get(k) {
+                Some(own) => own.are_ordinary(numbers),
+                None => (kernels_in::<T>().all_finite)(numbers),
+            })
     }
     fn compute(&self, count: usize, places: &mut [Option<&mut [T]>]) {
         let plan = self.plan;

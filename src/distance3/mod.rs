@@ -114,6 +114,7 @@ mod inherent;
 mod manifold;
 mod manifold_record;
 mod manifold_search;
+mod mix;
 pub(crate) mod near;
 mod outcome;
 mod pair;

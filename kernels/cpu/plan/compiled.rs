@@ -126,7 +126,7 @@ fn of_obb2<T: Real>(over: Denominator, mode: Mode) -> Plan<T> {
         fields: OBB2,
         frame: Some(obb2_frames(View::Flat)),
         bounds: Some(obb2_bounds()),
-        all_ordinary: kernels.all_ordinary_obb2,
+        all_ordinary: Some(kernels.all_ordinary_obb2),
         check: |numbers| Obb2::load(numbers).validate(),
         is_rare: |numbers| !clip::is_ordinary(Obb2::load(numbers)),
     };
@@ -172,7 +172,7 @@ fn of_giou<T: Real>(mode: Mode) -> Plan<T> {
         fields: OBB2,
         frame: Some(obb2_frames(View::Flat)),
         bounds: None,
-        all_ordinary: all_solid::<T>,
+        all_ordinary: Some(all_solid::<T>),
         check: |numbers| Obb2::load(numbers).validate(),
         is_rare: |numbers| !is_solid_obb2(numbers),
     };
@@ -194,7 +194,7 @@ fn of_quads<T: Real>(mode: Mode) -> Plan<T> {
         fields: QUAD2,
         frame: None,
         bounds: None,
-        all_ordinary: kernels.all_convex_quads,
+        all_ordinary: Some(kernels.all_convex_quads),
         check: |numbers| check_quad(<[Vec2<T>; 4]>::load(numbers)),
         is_rare: |numbers| {
             let most = T::lit(farthest::<T>());
@@ -218,7 +218,7 @@ fn of_upright<T: Real>(over: Denominator, mode: Mode) -> Plan<T> {
         fields: UPRIGHT,
         frame: Some(obb2_frames(View::Upright)),
         bounds: Some(obb2_bounds()),
-        all_ordinary: kernels.all_common_upright,
+        all_ordinary: Some(kernels.all_common_upright),
         check: |numbers| YawBox3::load(numbers).validate(),
         is_rare: |numbers| !is_common_upright(numbers),
     };
@@ -248,7 +248,7 @@ fn of_birds_eye<T: Real>(over: Denominator, mode: Mode) -> Plan<T> {
         fields: UPRIGHT,
         frame: Some(obb2_frames(View::FromAbove)),
         bounds: Some(obb2_bounds()),
-        all_ordinary: kernels.all_common_upright,
+        all_ordinary: Some(kernels.all_common_upright),
         check: |numbers| YawBox3::load(numbers).validate(),
         is_rare: |numbers| !clip::is_ordinary(YawBox3::load(numbers).birds_eye()),
     };
@@ -295,7 +295,7 @@ fn of_obb3<T: Real>(over: Denominator, mode: Mode) -> Plan<T> {
         fields: OBB3,
         frame: None,
         bounds: outline(Compiled::Obb3(over)),
-        all_ordinary: kernels.all_common_obb3,
+        all_ordinary: Some(kernels.all_common_obb3),
         check: |numbers| Obb3::load(numbers).validate(),
         is_rare: |numbers| !is_common_obb3(numbers),
     };
@@ -321,7 +321,7 @@ fn of_aabb2<T: Real>(over: Denominator, mode: Mode) -> Plan<T> {
         bounds: Some(Arc::new(|[shapes, _], bounds| {
             bounds.copy_from_slice(&shapes.lanes[..bounds.len()]);
         })),
-        all_ordinary: kernels.all_aabb2,
+        all_ordinary: Some(kernels.all_aabb2),
         check: |numbers| Aabb2::load(numbers).validate(),
         is_rare: |_| false,
     };

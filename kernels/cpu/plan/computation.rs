@@ -28,8 +28,9 @@ pub struct Preparation<T> {
     pub frame: Option<(usize, Prepare<T>)>,
     /// The bounds of shapes in the plane; `None` where pairs that are apart have nonzero results.
     pub bounds: Option<Outline<T>>,
-    /// A quick test of shapes: `true` only if all are valid and of ordinary size. It may reject some that are.
-    pub all_ordinary: fn(&[T]) -> bool,
+    /// A quick test of shapes, if there is one: `true` only if all are valid and of ordinary size. It may reject some that
+    /// are.
+    pub all_ordinary: Option<fn(&[T]) -> bool>,
     /// The flaw of a shape that is not valid.
     pub check: fn(&[T]) -> Result<(), Flaw>,
     /// `true` if a valid shape is too rare for kernels.
@@ -40,6 +41,10 @@ impl<T> Preparation<T> {
     /// Returns the number of scalars of a prepared shape.
     pub fn frame_fields(&self) -> usize {
         self.frame.as_ref().map_or(self.fields, |frame| frame.0)
+    }
+    /// Returns `true` if a quick test finds all of some shapes valid and of ordinary size.
+    pub fn are_ordinary(&self, numbers: &[T]) -> bool {
+        self.all_ordinary.is_some_and(|test| test(numbers))
     }
     /// Returns the name that errors have for this argument, number `k` of the operation's.
     pub fn argument(&self, k: usize) -> Argument {
@@ -63,9 +68,9 @@ impl<T: Real> Preparation<T> {
 }
 
 /// Returns the kernel of a quick test.
-fn quick<T: Real>(test: Quick) -> fn(&[T]) -> bool {
-    match test {
-        Quick::Never => |_| false,
+fn quick<T: Real>(test: Quick) -> Option<fn(&[T]) -> bool> {
+    Some(match test {
+        Quick::Never => return None,
         Quick::Always => |_| true,
         Quick::Finite => |x| (kernels_in::<T>().all_finite)(x),
         Quick::Aabb2 => |x| (kernels_in::<T>().all_aabb2)(x),
@@ -73,7 +78,7 @@ fn quick<T: Real>(test: Quick) -> fn(&[T]) -> bool {
         Quick::Upright => |x| (kernels_in::<T>().all_common_upright)(x),
         Quick::Obb3 => |x| (kernels_in::<T>().all_common_obb3)(x),
         Quick::Quads => |x| (kernels_in::<T>().all_convex_quads)(x),
-    }
+    })
 }
 
 /// Sets the names that an operation has for its arguments, if it has one for each.

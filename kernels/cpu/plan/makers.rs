@@ -7,10 +7,11 @@ use crate::error::Error;
 use crate::kernels::call::recording::{Recording, UntypedSearch};
 use crate::kernels::call::searched::{Decide, compute};
 use crate::kernels::cpu::lane::{Lane, ResultTiles, TILE, Tiles};
-use crate::kernels::cpu::maker::Maker;
+use crate::kernels::cpu::maker::{Maker, OverRows};
+use crate::kernels::cpu::program::rowwise::{ArgumentRows, ResultRows};
 use crate::kernels::cpu::program::split::{Subgraph, split};
 use crate::kernels::cpu::program::{Interpreter, Skipping};
-use crate::kernels::row::derivation::{Mode, Replays};
+use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::item::Leaf;
 use std::sync::Arc;
 
@@ -62,14 +63,11 @@ pub(crate) fn prepared<T: Real>(
     Ok((frame.outputs.len(), Arc::new(prepare)))
 }
 
-/// A maker that computes item by item.
-struct ItemMaker<T> {
-    decide: Decide<T>,
-    mode: Mode,
-    /// The number of scalars of every shape, then of every cotangent.
+/// A maker that computes item by item, by a function from the numbers of an item to a result, with room for others.
+struct ItemMaker<F> {
+    each: F,
+    /// The number of scalars of every argument: shapes, directions, cotangents.
     fields: Vec<usize>,
-    /// The number of scalars of all shapes.
-    taken: usize,
     /// The number of scalars of a result.
     made: usize,
 }
@@ -105,13 +103,54 @@ fn by_item<T: Real>(
     }
 }
 
-impl<T: Real> Maker<T> for ItemMaker<T> {
+impl<T: Real, F: Fn(&[T], &mut Vec<T>, &mut [T]) + Send + Sync> Maker<T> for ItemMaker<F> {
     fn make(&self, inputs: &[Tiles<'_, T>], out: ResultTiles<'_, T>) {
+        let mut room = Vec::new();
         by_item(inputs, &self.fields, self.made, out, |numbers, one| {
-            let (shapes, seed) = numbers.split_at(self.taken);
-            let seed = (!seed.is_empty()).then_some(seed);
-            compute(self.decide, self.mode, shapes, seed, one);
+            (self.each)(numbers, &mut room, one);
         });
+    }
+    fn rows(&self) -> Option<&dyn OverRows<T>> {
+        Some(self)
+    }
+}
+
+impl<T: Real, F: Fn(&[T], &mut Vec<T>, &mut [T])> OverRows<T> for ItemMaker<F> {
+    fn over_rows(
+        &self,
+        given: &[ArgumentRows<'_, T>],
+        items: usize,
+        skipped: usize,
+        wanted: &mut [ResultRows<'_, T>],
+        _far: bool,
+    ) {
+        let (mut numbers, mut room) = (Vec::new(), Vec::new());
+        let mut one = vec![T::default(); self.made];
+        for i in 0..items {
+            numbers.clear();
+            for argument in given {
+                let first = if argument.is_one {
+                    0
+                } else {
+                    i * argument.fields
+                };
+                numbers.extend_from_slice(&argument.rows[first..first + argument.fields]);
+            }
+            (self.each)(&numbers, &mut room, &mut one);
+            let mut results = &one[skipped..];
+            for (rows, fields) in &mut *wanted {
+                let (own, others) = results.split_at(*fields);
+                results = others;
+                if let Some(rows) = rows {
+                    for (x, own) in rows[i * *fields..].iter_mut().zip(own) {
+                        *x = own.canonical();
+                    }
+                }
+            }
+        }
+    }
+    fn is_brief(&self) -> bool {
+        false
     }
 }
 
@@ -124,38 +163,18 @@ pub(crate) fn of_items<T: Real>(
 ) -> Plan<T> {
     let arguments: Vec<usize> = leaves.iter().map(|leaf| leaf.fields).collect();
     let made = mode.skipped(&outputs) + mode.gives(&arguments, &outputs).iter().sum::<usize>();
+    let taken = arguments.iter().sum();
     let items = ItemMaker {
-        decide,
-        mode,
-        taken: arguments.iter().sum(),
+        each: move |numbers: &[T], _: &mut Vec<T>, one: &mut [T]| {
+            let (shapes, seed) = numbers.split_at(taken);
+            let seed = (!seed.is_empty()).then_some(seed);
+            compute(decide, mode, shapes, seed, one);
+        },
         fields: [arguments, outputs.clone()].concat(),
         made,
     };
     let plans = leaves.into_iter().map(Preparation::plain).collect();
     Plan::new(mode, plans, outputs, Box::new(items))
-}
-
-/// A maker that decides item by item, and computes the program of each record.
-struct ReplayMaker<T> {
-    replays: Arc<dyn Replays<T>>,
-    /// The number of scalars of every shape, direction and cotangent.
-    fields: Vec<usize>,
-    /// The number of scalars of a result.
-    made: usize,
-}
-
-impl<T: Real> Maker<T> for ReplayMaker<T> {
-    fn make(&self, inputs: &[Tiles<'_, T>], out: ResultTiles<'_, T>) {
-        let mut taken = Vec::new();
-        by_item(inputs, &self.fields, self.made, out, |numbers, one| {
-            taken.clear();
-            match self.replays.decide(numbers, &mut taken) {
-                Ok(recorded) => self.replays.put(numbers, &recorded.run_on(&taken), one),
-                // A replay too long to record has no derivatives: they are NaN.
-                Err(_) => one.fill(T::lit(f64::NAN)),
-            }
-        });
-    }
 }
 
 /// Returns the plan of a mode of a derived search, computed by replays. Replays of a VJP return cotangents alone, so
@@ -171,8 +190,16 @@ pub(crate) fn of_replays<T: Real>(
     if mode == Mode::Vjp {
         fields.extend(outputs);
     }
-    let items = ReplayMaker {
-        replays: search.replays(mode),
+    let replays = search.replays(mode);
+    let items = ItemMaker {
+        each: move |numbers: &[T], taken: &mut Vec<T>, one: &mut [T]| {
+            taken.clear();
+            match replays.decide(numbers, taken) {
+                Ok(recorded) => replays.put(numbers, &recorded.run_on(taken), one),
+                // A replay too long to record has no derivatives: they are NaN.
+                Err(_) => one.fill(T::lit(f64::NAN)),
+            }
+        },
         fields,
         made: gives.iter().sum(),
     };

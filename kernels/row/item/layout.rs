@@ -6,6 +6,7 @@ use crate::overlap_polygon::check_quad;
 use crate::shape::{Obb3, YawBox3};
 use crate::{Aabb2, Fixed, Obb2, Pack, Real, Rule, Vec2};
 use std::any::TypeId;
+use std::borrow::Cow;
 use std::marker::PhantomData;
 
 /// The layout of one shape of an item: the number of its scalars, their names, and its checks.
@@ -263,9 +264,9 @@ pub(crate) fn put<P: Fixed<Scalar: Real>>(shape: P, numbers: &mut [P::Scalar]) {
 
 /// Reorders the numbers of an item. In columns each shape has its scalars and then its codes; for [`Fixed::load`] all
 /// scalars come first, then all codes.
-pub(crate) fn by_kind<R: Item>(numbers: &[R::Scalar]) -> Vec<R::Scalar> {
+pub(crate) fn by_kind<R: Item>(numbers: &[R::Scalar]) -> Cow<'_, [R::Scalar]> {
     if const { R::CODES == 0 } {
-        return numbers.to_vec();
+        return Cow::Borrowed(numbers);
     }
     let mut all = numbers.to_vec();
     let (mut rest, mut scalar, mut code) = (numbers, 0, R::LEN);
@@ -276,7 +277,7 @@ pub(crate) fn by_kind<R: Item>(numbers: &[R::Scalar]) -> Vec<R::Scalar> {
         all[code..][..own_codes.len()].copy_from_slice(own_codes);
         (scalar, code, rest) = (scalar + own.len(), code + own_codes.len(), others);
     });
-    all
+    Cow::Owned(all)
 }
 
 /// Writes scalars and codes shape by shape, the inverse of [`by_kind`].

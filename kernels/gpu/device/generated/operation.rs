@@ -210,7 +210,7 @@ impl<T: Real> Generated<T> {
     pub(super) fn is_extreme(&self, k: usize, numbers: &[T]) -> bool {
         let preparation = &self.arguments[k];
         self.extreme.is_some()
-            && !(preparation.all_ordinary)(numbers)
+            && !preparation.are_ordinary(numbers)
             && numbers
                 .chunks_exact(preparation.fields)
                 .any(preparation.is_rare)
