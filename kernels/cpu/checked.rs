@@ -46,9 +46,6 @@ pub(crate) fn restore<T: Real>(derivatives: &mut [T], by: T) {
     }
 }
 
-/// The number of shapes tested together, few enough for the innermost cache.
-const GROUP: usize = 2048;
-
 /// Checks every shape of column `k`. Returns `true` if some may be too extreme for kernels.
 pub(crate) fn check_argument<T: Real>(
     k: usize,
@@ -76,17 +73,17 @@ pub(crate) fn check<T: Real>(
     column: &Column<'_, T>,
 ) -> Result<bool, Error> {
     Simd::current()?;
-    let count = column.len();
+    let (count, group) = (column.len(), column.group());
     let doubtful: Vec<usize> = {
         let mut room = Vec::new();
         let mut is_doubtful = |&start: &usize| {
             preparation.all_ordinary.is_none_or(|test| {
-                !test(column.numbers(start..count.min(start + GROUP), &mut room))
+                !test(column.numbers(start..count.min(start + group), &mut room))
             })
         };
         // One test of all numbers suffices for the usual column.
         (0..count)
-            .step_by(GROUP)
+            .step_by(group)
             .filter(|x| is_doubtful(x))
             .collect()
     };
@@ -94,7 +91,7 @@ pub(crate) fn check<T: Real>(
     let is_any_rare = Mutex::new(false);
     in_parallel(doubtful, |start: usize| {
         let mut room = Vec::new();
-        let numbers = column.numbers(start..count.min(start + GROUP), &mut room);
+        let numbers = column.numbers(start..count.min(start + group), &mut room);
         let mut rare = false;
         for (i, shape) in numbers.chunks_exact(preparation.fields).enumerate() {
             if let Err(flaw) = (preparation.check)(shape) {

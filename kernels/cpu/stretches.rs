@@ -59,31 +59,39 @@ pub fn compute<T: Real>(work: Aligned<'_, T>) -> bool {
         |(i, mut pieces): (usize, Vec<Option<TargetPiece<'_, T>>>)| {
             let items = i * STRETCH..count.min((i + 1) * STRETCH);
             let mut rooms: Vec<Vec<T>> = columns.iter().map(|_| Vec::new()).collect();
-            let numbers: Vec<&[T]> = columns
-                .iter()
-                .zip(&mut rooms)
-                .map(|(column, room)| column.numbers(items.clone(), room))
-                .collect();
-            let mut places: Vec<Option<&mut [T]>> = pieces
-                .iter_mut()
-                .map(|piece| piece.as_mut().map(TargetPiece::numbers))
-                .collect();
-            let stretch = Stretch {
-                plan,
-                ones: columns
-                    .iter()
-                    .map(|column| column.count.is_none())
-                    .collect(),
-                fields: columns.iter().map(|column| column.fields).collect(),
-                numbers,
-                rare,
-                far,
-            };
-            if unchecked && !stretch.is_sound() {
-                has_failed.store(true, Ordering::Relaxed);
-                return;
+            let group = columns.iter().map(Column::group).min().unwrap_or(STRETCH);
+            for first in items.clone().step_by(group) {
+                let items = first..items.end.min(first + group);
+                let columns_with_rooms = columns.iter().zip(&mut rooms);
+                let numbers: Vec<&[T]> = columns_with_rooms
+                    .map(|(column, room)| column.numbers(items.clone(), room))
+                    .collect();
+                let from = first % STRETCH;
+                let mut places: Vec<Option<&mut [T]>> = pieces
+                    .iter_mut()
+                    .zip(&plan.gives)
+                    .map(|(piece, fields)| {
+                        let numbers = piece.as_mut()?.numbers();
+                        Some(&mut numbers[from * fields..(from + items.len()) * fields])
+                    })
+                    .collect();
+                let stretch = Stretch {
+                    plan,
+                    ones: columns
+                        .iter()
+                        .map(|column| column.count.is_none())
+                        .collect(),
+                    fields: columns.iter().map(|column| column.fields).collect(),
+                    numbers,
+                    rare,
+                    far,
+                };
+                if unchecked && !stretch.is_sound() {
+                    has_failed.store(true, Ordering::Relaxed);
+                    return;
+                }
+                stretch.compute(items.len(), &mut places);
             }
-            stretch.compute(items.len(), &mut places);
             pieces.into_iter().flatten().for_each(TargetPiece::finish);
         },
     );

@@ -4,9 +4,12 @@ use crate::Real;
 use crate::error::Error;
 use crate::kernels::call::recording::Call;
 use crate::kernels::row::item::counts::expect;
-use crate::kernels::row::item::{Item, by_shape, leaves_of, memory, put, width};
+use crate::kernels::row::item::{Item, STRETCH, by_shape, leaves_of, memory, put, width};
 use std::borrow::Cow;
 use std::ops::Range;
+
+/// How many numbers are written at once, few enough for a core's own cache.
+const NUMBERS: usize = 1 << 14;
 
 /// A function that writes the numbers of some shapes, one after another.
 type Read<'a, T> = Box<dyn Fn(Range<usize>, &mut [T]) + Send + Sync + 'a>;
@@ -105,6 +108,14 @@ impl<'a, T: Real> Column<'a, T> {
     /// Returns the number of items in memory.
     pub(crate) fn len(&self) -> usize {
         self.count.unwrap_or(1)
+    }
+    /// Returns the number of items, a multiple of sixteen, whose [numbers](Self::numbers) stay in a core's cache where they
+    /// are written.
+    pub(crate) fn group(&self) -> usize {
+        match &self.numbers {
+            ColumnSource::Lent(_) => STRETCH,
+            ColumnSource::Read(_) => (NUMBERS / self.fields.max(1)).clamp(16, STRETCH) / 16 * 16,
+        }
     }
     /// Returns the numbers of some items: in place if they are contiguous, else written into `room`.
     pub(crate) fn numbers<'r>(&'r self, items: Range<usize>, room: &'r mut Vec<T>) -> &'r [T] {

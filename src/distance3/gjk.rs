@@ -189,6 +189,86 @@ fn nearest<D: Difference>(simplex: &[D], apart: bool) -> Option<[f64; 4]> {
     Some(weights)
 }
 
+/// Returns the weights of the point of a triangle that is nearest to the origin, and the square of its distance, if the
+/// last corner has a part in it.
+#[inline(always)]
+fn from_newest(p: Vec3<f64>, q: Vec3<f64>, newest: Vec3<f64>) -> ([f64; 3], f64) {
+    let (p, q, way) = (p - newest, q - newest, -newest);
+    let normal = p.cross(q);
+    let (of_p, of_q) = (way.cross(q).dot(normal), p.cross(way).dot(normal));
+    let whole = normal.length_squared();
+    let [s, t] = match of_p > 0.0 && of_q > 0.0 && of_p + of_q < whole {
+        true => {
+            let over = 1.0 / whole;
+            [of_p * over, of_q * over]
+        }
+        false => {
+            let share = |along: Vec3<f64>| {
+                let square = along.length_squared();
+                let share = way.dot(along) / if square > 0.0 { square } else { 1.0 };
+                share.clamp(0.0, 1.0)
+            };
+            let (s, t) = (share(p), share(q));
+            match (p * s - way).length_squared() < (q * t - way).length_squared() {
+                true => [s, 0.0],
+                false => [0.0, t],
+            }
+        }
+    };
+    let square = (p * s + q * t - way).length_squared();
+    ([s, t, 1.0 - s - t], square)
+}
+
+/// Returns what [`nearest`] does, if the last corner has a part in the nearest point and no rounding matters; `None` also
+/// where the origin may be inside.
+#[inline(always)]
+fn nearest_with_newest<D: Difference>(simplex: &[D]) -> Option<[f64; 4]> {
+    match simplex {
+        [p, q] => {
+            let [s, t] = of_segment(p.way(), q.way());
+            Some([s, t, 0.0, 0.0])
+        }
+        [p, q, r] => {
+            let ([s, t, u], _) = from_newest(p.way(), q.way(), r.way());
+            Some([s, t, u, 0.0])
+        }
+        [p, q, r, newest] => {
+            let newest = newest.way();
+            let all = [p.way(), q.way(), r.way()];
+            let [p, q, r] = all.map(|corner| corner - newest);
+            let normals = [p.cross(q), q.cross(r), r.cross(p)];
+            let side = normals[0].dot(r);
+            let (mut best, mut weights) = (f64::INFINITY, None);
+            for (k, normal) in normals.into_iter().enumerate() {
+                if normal.dot(newest) * side > 0.0 {
+                    let next = if k == 2 { 0 } else { k + 1 };
+                    let ([s, t, u], square) = from_newest(all[k], all[next], newest);
+                    if square < best {
+                        best = square;
+                        let mut parts = [0.0, 0.0, 0.0, u];
+                        (parts[k], parts[next]) = (s, t);
+                        weights = Some(parts);
+                    }
+                }
+            }
+            weights
+        }
+        _ => None,
+    }
+}
+
+/// Returns the mean of the corners of a simplex.
+#[inline(always)]
+fn mean<D: Difference>(simplex: &[D; 4], parts: &[f64; 4]) -> Vec3<f64> {
+    let mut sum = Vec3::zero();
+    for (corner, &part) in simplex.iter().zip(parts) {
+        if part > 0.0 {
+            sum += corner.way() * part;
+        }
+    }
+    sum
+}
+
 /// Returns the nearest points of two solids, given the difference that is the lowest along a vector, a first one, and a
 /// distance that they are known to have at least; that may be negative.
 pub(super) fn gap<D: Difference>(lowest: impl Fn(Vec3<f64>) -> D, first: D, least: f64) -> Gap<D> {
@@ -235,21 +315,24 @@ pub(super) fn gap_until<D: Difference>(
             break;
         }
         found.simplex[found.count] = found.low;
-        let apart = found.least > 0.0 && found.least * found.least > PROVED * size;
-        let Some(parts) = nearest(&found.simplex[..=found.count], apart) else {
-            found.inside = true;
-            break;
-        };
-        let mut next = Vec3::zero();
-        for (corner, &part) in found.simplex.iter().zip(&parts) {
-            if part > 0.0 {
-                next += corner.way() * part;
+        let quick = nearest_with_newest(&found.simplex[..=found.count]);
+        let quick = quick.map(|parts| (mean(&found.simplex, &parts), parts));
+        let (next, parts) = match quick {
+            Some((next, parts)) if next.length_squared() < square => (next, parts),
+            _ => {
+                let apart = found.least > 0.0 && found.least * found.least > PROVED * size;
+                let Some(parts) = nearest(&found.simplex[..=found.count], apart) else {
+                    found.inside = true;
+                    break;
+                };
+                let next = mean(&found.simplex, &parts);
+                // No progress in the digits that there are.
+                if next.length_squared() >= square {
+                    break;
+                }
+                (next, parts)
             }
-        }
-        // No progress in the digits that there are.
-        if next.length_squared() >= square {
-            break;
-        }
+        };
         // Corners beyond the last one have no part.
         found.count = 0;
         for (k, part) in parts.into_iter().enumerate() {

@@ -72,43 +72,56 @@ struct ItemMaker<F> {
     made: usize,
 }
 
-/// Computes tiles of results item by item. `each` maps the numbers of an item, input after input, to a result.
-///
-/// An item equal to the one before reuses its result, since padding repeats the last item.
-fn by_item<T: Real>(
-    inputs: &[Tiles<'_, T>],
-    fields: &[usize],
-    made: usize,
-    mut out: ResultTiles<'_, T>,
-    mut each: impl FnMut(&[T], &mut [T]),
-) {
-    let (mut numbers, mut last) = (Vec::new(), Vec::new());
-    let mut one = vec![T::default(); made];
-    let bits = |x: &T| x.widen().to_bits();
-    for (t, i) in (0..out.tiles).flat_map(|t| (0..TILE).map(move |i| (t, i))) {
-        numbers.clear();
-        for (input, &fields) in inputs.iter().zip(fields) {
-            let tile = input.lanes[t * input.step..].iter().take(fields);
-            numbers.extend(tile.map(|lane| lane.0[i]));
+/// The items of a maker, one after another. An item equal to the one before has its result: padding repeats the last item.
+struct Items<'a, T, F> {
+    each: &'a F,
+    /// The numbers of an item, and of the one before; none before the first.
+    numbers: Vec<T>,
+    last: Vec<T>,
+    room: Vec<T>,
+    result: Vec<T>,
+}
+
+impl<'a, T: Real, F: Fn(&[T], &mut Vec<T>, &mut [T])> Items<'a, T, F> {
+    fn of(maker: &'a ItemMaker<F>) -> Self {
+        Items {
+            each: &maker.each,
+            numbers: Vec::new(),
+            last: Vec::new(),
+            room: Vec::new(),
+            result: vec![T::default(); maker.made],
         }
-        if (t, i) == (0, 0) || !numbers.iter().map(bits).eq(last.iter().map(bits)) {
-            each(&numbers, &mut one);
-            std::mem::swap(&mut numbers, &mut last);
+    }
+    /// Returns the result of the item whose numbers a function writes.
+    fn next(&mut self, write: impl FnOnce(&mut Vec<T>)) -> &[T] {
+        self.numbers.clear();
+        write(&mut self.numbers);
+        let bits = |x: &T| x.widen().to_bits();
+        let is_new = !self.numbers.iter().map(bits).eq(self.last.iter().map(bits));
+        if is_new || self.numbers.is_empty() {
+            (self.each)(&self.numbers, &mut self.room, &mut self.result);
+            std::mem::swap(&mut self.numbers, &mut self.last);
         }
-        for (k, &x) in one.iter().enumerate() {
-            if let Some(lane) = out.lane(t, k) {
-                lane.0[i] = x.canonical();
-            }
-        }
+        &self.result
     }
 }
 
 impl<T: Real, F: Fn(&[T], &mut Vec<T>, &mut [T]) + Send + Sync> Maker<T> for ItemMaker<F> {
-    fn make(&self, inputs: &[Tiles<'_, T>], out: ResultTiles<'_, T>) {
-        let mut room = Vec::new();
-        by_item(inputs, &self.fields, self.made, out, |numbers, one| {
-            (self.each)(numbers, &mut room, one);
-        });
+    fn make(&self, inputs: &[Tiles<'_, T>], mut out: ResultTiles<'_, T>) {
+        let mut items = Items::of(self);
+        for (t, i) in (0..out.tiles).flat_map(|t| (0..TILE).map(move |i| (t, i))) {
+            let result = items.next(|numbers| {
+                for (input, &fields) in inputs.iter().zip(&self.fields) {
+                    let tile = input.lanes[t * input.step..].iter().take(fields);
+                    numbers.extend(tile.map(|lane| lane.0[i]));
+                }
+            });
+            for (k, &x) in result.iter().enumerate() {
+                if let Some(lane) = out.lane(t, k) {
+                    lane.0[i] = x.canonical();
+                }
+            }
+        }
     }
     fn rows(&self) -> Option<&dyn OverRows<T>> {
         Some(self)
@@ -124,20 +137,16 @@ impl<T: Real, F: Fn(&[T], &mut Vec<T>, &mut [T])> OverRows<T> for ItemMaker<F> {
         wanted: &mut [ResultRows<'_, T>],
         _far: bool,
     ) {
-        let (mut numbers, mut room) = (Vec::new(), Vec::new());
-        let mut one = vec![T::default(); self.made];
+        let mut all = Items::of(self);
         for i in 0..items {
-            numbers.clear();
-            for argument in given {
-                let first = if argument.is_one {
-                    0
-                } else {
-                    i * argument.fields
-                };
-                numbers.extend_from_slice(&argument.rows[first..first + argument.fields]);
-            }
-            (self.each)(&numbers, &mut room, &mut one);
-            let mut results = &one[skipped..];
+            let result = all.next(|numbers| {
+                for argument in given {
+                    let first = if argument.is_one { 0 } else { i };
+                    let from = first * argument.fields;
+                    numbers.extend_from_slice(&argument.rows[from..from + argument.fields]);
+                }
+            });
+            let mut results = &result[skipped..];
             for (rows, fields) in &mut *wanted {
                 let (own, others) = results.split_at(*fields);
                 results = others;

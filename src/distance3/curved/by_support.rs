@@ -1,6 +1,6 @@
 //! Own convex shapes by their support functions.
+use super::super::mix::Mix;
 use super::curved_replay::Pieces;
-use super::mix::Mix;
 use super::piece::{Piece, PieceKind, Place};
 use super::support::Supported;
 use super::{Curved, Placed, farthest, relate};

@@ -1,8 +1,8 @@
 //! Hulls as solids of smooth pieces: corners, edges, and faces, each by three corners that span it.
+use super::super::mix::Mix;
 use super::curved_replay::Pieces;
 use super::grip::{Grip, between};
-use super::mix::{Mix, along, within};
-use super::piece::{Piece, PieceKind, Place};
+use super::piece::{Piece, PieceKind, Place, along, within};
 use super::support::{Supported, start};
 use super::{Curved, Placed, farthest, relate};
 use crate::arrays::Each;
@@ -11,8 +11,8 @@ use crate::distance3::curved::{BySupport, SupportFunction};
 use crate::distance3::facing::{Patch, PatchName};
 use crate::distance3::half_space::Bounded;
 use crate::distance3::hulls::{
-    CornerList, Cornered, FixedCorners, HullBody, HullFace, PointColumns, around, numbers,
-    patch_ring, spanning,
+    CornerList, Cornered, FixedCorners, HullBody, HullFace, PointColumns, PointGroups, around,
+    numbers, patch_ring, spanning,
 };
 use crate::distance3::relation::Relation;
 use crate::scalar::{Guard, largest};
@@ -97,7 +97,7 @@ struct Ring {
 #[derive(Debug)]
 pub struct HullPieces {
     points: Vec<Vec3<f64>>,
-    columns: PointColumns,
+    groups: PointGroups,
     /// Its surface, which a search needs only where it is not simple.
     surface: OnceCell<NamedPieces>,
 }
@@ -163,11 +163,16 @@ impl NamedPieces {
 
 impl HullPieces {
     fn new(points: Vec<Vec3<f64>>) -> Self {
+        let mut groups = PointGroups::with_room([points.len()]);
+        groups.add(points.len(), |k| points[k] - points[0]);
         HullPieces {
-            columns: PointColumns::new(&points, points[0]),
+            groups,
             points,
             surface: OnceCell::new(),
         }
+    }
+    fn columns(&self) -> PointColumns<'_> {
+        self.groups.columns(0, self.points.len())
     }
     fn surface(&self) -> &NamedPieces {
         self.surface.get_or_init(|| NamedPieces::new(&self.points))
@@ -183,9 +188,9 @@ impl HullPieces {
     }
     /// Returns one less than the number of corners up to a slack below the highest along a normal, three at most.
     fn level(&self, normal: Vec3<f64>, slack: f64) -> usize {
-        let (_, highest) = self.columns.highest(normal);
+        let (_, highest) = self.columns().highest(normal);
         let mut count = 0;
-        self.columns
+        self.columns()
             .above(normal, normal.dot(highest) - slack, |_| count += 1);
         count.clamp(1, 4) - 1
     }
@@ -224,7 +229,7 @@ impl Ring {
 
 impl Supported for HullPieces {
     fn support(&self, way: Vec3<f64>) -> Vec3<f64> {
-        self.points[self.columns.highest(way).0]
+        self.points[self.columns().highest(way).0]
     }
     fn middle(&self) -> Vec3<f64> {
         let arms = self.points.iter().map(|&point| point - self.points[0]);
@@ -245,7 +250,7 @@ impl Supported for HullPieces {
         self.named(k).piece(&self.points)
     }
     fn coded(&self, way: Vec3<f64>) -> (Vec3<f64>, usize) {
-        let number = self.columns.highest(way).0;
+        let number = self.columns().highest(way).0;
         (self.points[number], number)
     }
     fn likely(&self, mix: &Mix, _: Vec3<f64>, normal: Vec3<f64>) -> Option<(usize, Place<f64>)> {

@@ -1,7 +1,7 @@
 //! The piece on which an iteration by supports says that the nearest point is.
+use super::super::mix::Mix;
 use super::by_normal::TURNED;
-use super::mix::{Mix, along, within};
-use super::piece::{Piece, PieceKind, Place};
+use super::piece::{Piece, PieceKind, Place, along, within};
 use super::smooth_solid::{EDGES, FACES, Solid};
 use super::support::start;
 use crate::Vec3;

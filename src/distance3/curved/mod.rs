@@ -34,7 +34,6 @@ mod hull_solid;
 mod in_units;
 mod level;
 mod likely;
-mod mix;
 mod piece;
 mod quick_search;
 mod slopes_by_hand;

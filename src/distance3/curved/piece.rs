@@ -144,3 +144,19 @@ impl<S: Scalar> Piece<S> {
         way
     }
 }
+
+/// Returns a place with a share of the axis.
+pub fn along(share: f64) -> Place<f64> {
+    Place {
+        s: share,
+        ..Place::zero()
+    }
+}
+
+/// Returns a place with two coordinates.
+pub fn within(x: f64, y: f64) -> Place<f64> {
+    Place {
+        y: [x, y, 0.0],
+        ..Place::zero()
+    }
+}

@@ -5,7 +5,7 @@
 //! the normal is the distance of two points of the solids. Solids that are apart have one least distance, so that it does
 //! not matter how its place was guessed.
 use super::super::gjk::{CodedDifference, Gap, gap_until};
-use super::mix::Mix;
+use super::super::mix::Mix;
 use super::piece::{Piece, PieceKind, Place};
 use super::solid_pair::{Found, Solids};
 use super::touch::{FEW, System, Touch};

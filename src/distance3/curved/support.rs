@@ -1,6 +1,6 @@
 //! Convex solids of plain numbers by their supports.
+use super::super::mix::Mix;
 use super::by_normal::TURNED;
-use super::mix::Mix;
 use super::piece::{Piece, PieceKind, Place};
 use super::smooth_solid::Solid;
 use crate::{Scalar, Vec3};

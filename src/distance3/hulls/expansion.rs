@@ -6,8 +6,9 @@
 use super::body::unit;
 use super::highest_point::PointColumns;
 use super::hull_record::{FeaturePair, HullFeatures, spanning};
+use super::near_features::long;
 use super::parting_planes::Plane;
-use super::patch::{self, Side};
+use super::patch;
 use crate::hull::hull_search;
 use crate::{Vec2, Vec3};
 
@@ -15,9 +16,9 @@ use crate::{Vec2, Vec3};
 #[derive(Clone, Copy)]
 struct Face {
     /// Its corners, counter-clockwise seen from outside.
-    corners: [usize; 3],
-    /// The faces across the edges from each corner to the next one.
-    beside: [usize; 3],
+    corners: [u16; 3],
+    /// The sides of other faces across the edges from each corner to the next one.
+    beside: [Side; 3],
     normal: Vec3<f64>,
     /// The height of its plane over the origin.
     height: f64,
@@ -25,8 +26,33 @@ struct Face {
     gone: bool,
 }
 
+/// A side of a face: the edge from a corner to the next one.
+#[derive(Clone, Copy)]
+struct Side(u16);
+
+impl Side {
+    /// Returns the side of a face that begins at one of its corners.
+    fn new(face: usize, corner: usize) -> Self {
+        Side((4 * face + corner) as u16)
+    }
+    /// Returns the numbers of the face and of the corner in it.
+    fn parts(self) -> (usize, usize) {
+        (usize::from(self.0 / 4), usize::from(self.0 % 4))
+    }
+}
+
+/// An edge around faces below a point: its ends, and the side of the face beyond.
+#[derive(Clone, Copy)]
+struct Border {
+    from: u16,
+    to: u16,
+    beyond: Side,
+}
+
 /// The most corners of the polytope; hulls of 32 corners need about twenty.
 const CORNERS: usize = 64;
+/// The number of corners and of faces, also those that are gone, for which there is room at first.
+const ROOM: [usize; 2] = [16, 20];
 /// The sine of the least angle of faces whose normals have digits enough.
 const SLIVER: f64 = 1e-6;
 /// The least height of a tetrahedron to begin with.
@@ -38,16 +64,14 @@ const CLEAR: f64 = 1e-9;
 
 /// The polytope so far, of points with coordinates of about one.
 struct Polytope<'a> {
-    a: &'a PointColumns,
-    b: &'a PointColumns,
+    a: PointColumns<'a>,
+    b: PointColumns<'a>,
     corners: Vec<Vec3<f64>>,
     faces: Vec<Face>,
     /// The heights of faces of which it is not known if something is above them; infinite for all others.
     open: Vec<f64>,
-    /// The faces below a point.
-    seen: Vec<usize>,
-    /// The edges around them, each with the face beyond it.
-    border: Vec<(usize, usize, usize)>,
+    /// The edges around the faces below a point, counter-clockwise.
+    border: Vec<Border>,
 }
 
 impl Polytope<'_> {
@@ -57,7 +81,7 @@ impl Polytope<'_> {
         of_b - of_a
     }
     /// Adds a face; `None` for a sliver.
-    fn add(&mut self, corners: [usize; 3], beside: [usize; 3]) -> Option<()> {
+    fn add(&mut self, corners: [usize; 3], beside: [Side; 3]) -> Option<()> {
         let [p, q, r] = corners.map(|k| self.corners[k]);
         let (u, v, w) = (q - p, r - p, r - q);
         let product = u.cross(v);
@@ -65,15 +89,15 @@ impl Polytope<'_> {
             .length_squared()
             .max(v.length_squared())
             .max(w.length_squared());
-        let length = product.length();
-        if length <= SLIVER * longest {
+        let square = product.length_squared();
+        if square <= SLIVER * SLIVER * (longest * longest) {
             return None;
         }
-        let normal = product * (1.0 / length);
+        let normal = product * (1.0 / square.sqrt());
         let height = normal.dot(p);
         self.open.push(height);
         self.faces.push(Face {
-            corners,
+            corners: corners.map(|k| k as u16),
             beside,
             normal,
             height,
@@ -121,10 +145,37 @@ impl Polytope<'_> {
     fn enclose(&mut self, height: f64) -> Option<()> {
         // The last corner is behind the first face.
         let [b, c] = if height < 0.0 { [1, 2] } else { [2, 1] };
-        self.add([0, b, c], [1, 2, 3])?;
-        self.add([0, 3, b], [3, 2, 0])?;
-        self.add([b, 3, c], [1, 3, 0])?;
-        self.add([c, 3, 0], [2, 1, 0])
+        let side = Side::new;
+        self.add([0, b, c], [side(1, 2), side(2, 2), side(3, 2)])?;
+        self.add([0, 3, b], [side(3, 1), side(2, 0), side(0, 0)])?;
+        self.add([b, 3, c], [side(1, 1), side(3, 0), side(0, 1)])?;
+        self.add([c, 3, 0], [side(2, 1), side(1, 0), side(0, 2)])
+    }
+    /// Takes a face away, with all around it that are below a point, and keeps the sides around these, in order
+    /// counter-clockwise, beginning with a side of the face.
+    fn take(&mut self, number: usize, first: usize, count: usize, apex: Vec3<f64>) {
+        self.faces[number].gone = true;
+        self.open[number] = f64::INFINITY;
+        for k in first..first + count {
+            let face = &self.faces[number];
+            let k = if k < 3 { k } else { k - 3 };
+            let beyond = face.beside[k];
+            let (other, side) = beyond.parts();
+            let beside = &self.faces[other];
+            if beside.gone {
+                continue;
+            }
+            if beside.normal.dot(apex) - beside.height > ABOVE {
+                self.take(other, side + 1, 2, apex);
+            } else {
+                let next = if k == 2 { 0 } else { k + 1 };
+                self.border.push(Border {
+                    from: face.corners[k],
+                    to: face.corners[next],
+                    beyond,
+                });
+            }
+        }
     }
     /// Extends the polytope to a point above a face.
     fn extend(&mut self, start: usize, apex: Vec3<f64>) -> Option<()> {
@@ -133,44 +184,23 @@ impl Polytope<'_> {
             return None;
         }
         self.corners.push(apex);
-        self.seen.clear();
         self.border.clear();
-        self.seen.push(start);
-        self.faces[start].gone = true;
-        self.open[start] = f64::INFINITY;
-        let mut read = 0;
-        while read < self.seen.len() {
-            let Face {
-                corners, beside, ..
-            } = self.faces[self.seen[read]];
-            for k in 0..3 {
-                let other = &mut self.faces[beside[k]];
-                if other.gone {
-                    continue;
-                }
-                if other.normal.dot(apex) - other.height > ABOVE {
-                    other.gone = true;
-                    self.open[beside[k]] = f64::INFINITY;
-                    self.seen.push(beside[k]);
-                } else {
-                    self.border
-                        .push((corners[k], corners[(k + 1) % 3], beside[k]));
-                }
+        self.take(start, 0, 3, apex);
+        let (first, count) = (self.faces.len(), self.border.len());
+        let mut last = self.border.last()?.to;
+        for k in 0..count {
+            let Border { from, to, beyond } = self.border[k];
+            // Rounding may put faces below the point that are not in one piece.
+            if from != last {
+                return None;
             }
-            read += 1;
-        }
-        let first = self.faces.len();
-        for k in 0..self.border.len() {
-            let (from, to, other) = self.border[k];
-            let next = self.border.iter().position(|&(start, ..)| start == to)?;
-            let last = self.border.iter().position(|&(_, end, _)| end == from)?;
-            self.add([from, to, number], [other, first + next, first + last])?;
-            let other = &mut self.faces[other];
-            for edge in 0..3 {
-                if other.corners[edge] == to && other.corners[(edge + 1) % 3] == from {
-                    other.beside[edge] = first + k;
-                }
-            }
+            last = to;
+            let next = first + if k + 1 < count { k + 1 } else { 0 };
+            let before = first + if k > 0 { k - 1 } else { count - 1 };
+            let corners = [usize::from(from), usize::from(to), number];
+            self.add(corners, [beyond, Side::new(next, 2), Side::new(before, 1)])?;
+            let (other, side) = beyond.parts();
+            self.faces[other].beside[side] = Side::new(first + k, 0);
         }
         Some(())
     }
@@ -205,47 +235,51 @@ impl Polytope<'_> {
             }
         }
         let best = best?;
-        let left = || self.faces.iter().filter(|face| !face.gone);
         // Every point of a closed surface around the origin is as far from that as the lowest of its faces.
-        let around = |face: &Face| face.height >= best.height - ABOVE;
-        let another = |face: &Face| {
-            face.height <= best.height + clear && (face.normal - best.normal).length() > SLIVER
-        };
-        (left().all(around) && !left().any(another)).then_some(best)
+        let alone = self.faces.iter().fold(true, |alone, face| {
+            let turned = (face.normal - best.normal).length_squared();
+            let around = face.height >= best.height - ABOVE;
+            let another = (face.height <= best.height + clear) & (turned > SLIVER * SLIVER);
+            alone & (face.gone | around & !another)
+        });
+        alone.then_some(best)
     }
 }
 
-/// Returns the points that are the highest along a direction, and how high they are; `None` where rounding may decide
-/// which ones they are, or which of them are corners.
+/// Returns the points that are as high along a direction as one of them; `None` where rounding may decide which ones they
+/// are, or which of them are corners.
 fn top(
-    points: &[Vec3<f64>],
+    points: &PointColumns<'_>,
     way: Vec3<f64>,
-    highest: Vec3<f64>,
+    highest: usize,
     (slack, clear): (f64, f64),
 ) -> Option<Vec<usize>> {
-    let mut all = Vec::with_capacity(4);
-    for (k, &point) in points.iter().enumerate() {
-        let below = way.dot(highest - point);
-        if below.abs() <= slack.max(2.0 * ABOVE) {
-            all.push(k);
-        } else if below <= clear {
-            return None;
-        }
+    let height = way.dot(points.point(highest));
+    let least = height - slack.max(2.0 * ABOVE);
+    let count = points.count_above(way, least);
+    if points.count_above(way, height - clear) != count {
+        return None;
     }
+    if count == 1 {
+        return Some(vec![highest]);
+    }
+    let mut all = Vec::with_capacity(count);
+    points.above(way, least, |k| all.push(k));
     let is_clear = |[i, j, k]: [usize; 3]| {
-        let (u, v) = (points[j] - points[i], points[k] - points[j]);
+        let [i, j, k] = [i, j, k].map(|k| points.point(k));
+        let (u, v) = (j - i, k - j);
         let most = u.length_squared().max(v.length_squared());
         way.dot(u.cross(v)).abs() > SLIVER * most
     };
     let clear = match all[..] {
-        [_] => true,
-        [i, j] => (points[j] - points[i]).length() > SLIVER,
+        [i, j] => long(points.point(j) - points.point(i)) > SLIVER,
         [i, j, k] => is_clear([i, j, k]),
         _ => {
-            let first = unit(points[all[1]] - points[all[0]]);
+            let from = points.point(all[0]);
+            let first = unit(points.point(all[1]) - from);
             let second = way.cross(first);
             let seen = |k: &usize| {
-                let arm = points[*k] - points[all[0]];
+                let arm = points.point(*k) - from;
                 Vec2::new(first.dot(arm), second.dot(arm))
             };
             let ring = hull_search(&all.iter().map(seen).collect::<Vec<_>>());
@@ -260,30 +294,28 @@ fn top(
 /// Returns the features of two hulls in the one plane that parts them by the least move, if they overlap by more than a
 /// depth, and no rounding decides which plane and which features these are.
 pub(super) fn deepest(
-    [a, b]: [&[Vec3<f64>]; 2],
-    columns: &[PointColumns; 2],
+    [a, b]: &[PointColumns<'_>; 2],
     first: Option<[Vec3<f64>; 4]>,
     depth: f64,
     slack: f64,
 ) -> Option<Vec<HullFeatures>> {
     let clear = CLEAR.max(4.0 * slack);
     let mut polytope = Polytope {
-        a: &columns[0],
-        b: &columns[1],
-        corners: Vec::with_capacity(CORNERS),
-        faces: Vec::with_capacity(4 * CORNERS),
-        open: Vec::with_capacity(4 * CORNERS),
-        seen: Vec::with_capacity(CORNERS),
-        border: Vec::with_capacity(CORNERS),
+        a: *a,
+        b: *b,
+        corners: Vec::with_capacity(ROOM[0]),
+        faces: Vec::with_capacity(ROOM[1]),
+        open: Vec::with_capacity(ROOM[1]),
+        border: Vec::with_capacity(ROOM[0]),
     };
     let face = polytope.expand(first, clear)?;
     if face.height < depth {
         return None;
     }
     let normal = -face.normal;
-    let [high, low] = [columns[0].highest(normal).0, columns[1].highest(-normal).0];
-    let of_a = top(a, normal, a[high], (slack, clear))?;
-    let of_b = top(b, -normal, b[low], (slack, clear))?;
+    let (high, low) = (a.highest(normal).0, b.highest(-normal).0);
+    let of_a = top(a, normal, high, (slack, clear))?;
+    let of_b = top(b, -normal, low, (slack, clear))?;
     let one = |pair, first: &[usize], second: &[usize]| {
         Some(vec![HullFeatures::new(pair, first, second)])
     };
@@ -291,17 +323,17 @@ pub(super) fn deepest(
         (&[_], &[_, _, _]) => one(
             FeaturePair::CornerFace,
             &of_a,
-            &spanning(|k| b[k], &of_b, -normal),
+            &spanning(|k| b.point(k), &of_b, -normal),
         ),
         (&[_, _, _], &[_]) => one(
             FeaturePair::FaceCorner,
-            &spanning(|k| a[k], &of_a, normal),
+            &spanning(|k| a.point(k), &of_a, normal),
             &of_b,
         ),
         (&[i, j], &[k, l]) => {
-            let (u, v) = (a[j] - a[i], b[l] - b[k]);
+            let (u, v) = (a.point(j) - a.point(i), b.point(l) - b.point(k));
             let product = u.cross(v);
-            let sine = product.length() / (u.length() * v.length());
+            let sine = long(product) / (long(u) * long(v));
             let ends = match product.dot(normal) < 0.0 {
                 true => [l, k],
                 false => [k, l],
@@ -317,8 +349,9 @@ pub(super) fn deepest(
                 on_b: of_b[0],
                 features: HullFeatures::new(FeaturePair::Corners, &[], &[]),
             };
-            let side = |points, corners| Side { points, corners };
-            let found = patch::features(side(a, &of_a), side(b, &of_b), &plane, slack);
+            let (all_a, all_b) = (a.points(), b.points());
+            let side = |points, corners| patch::Side { points, corners };
+            let found = patch::features(side(&all_a, &of_a), side(&all_b, &of_b), &plane, slack);
             // Without any the plane's own features stand for them.
             let known = found.iter().all(|one| one.pair != FeaturePair::Corners);
             known.then_some(found)

@@ -1,15 +1,14 @@
 //! The search for the features of two hulls that decide about their relation.
 use super::super::gjk::{CornerDifference, Gap, gap};
+use super::super::mix::Mix;
 use super::body::Body;
 use super::expansion;
-use super::highest_point::PointColumns;
+use super::highest_point::{PointColumns, PointGroups};
 use super::hull_record::{FeaturePair, HullFeatures, HullRecord, spanning};
-use super::near_features::{Near, edges, from_edge, long, nearest, of_edges};
+use super::near_features::{edges, from_edge, long, nearest, of_edges};
 use super::parting_planes as planes;
 use super::patch;
 use crate::Vec3;
-use crate::distance::edge::scale_of;
-use crate::scalar::largest;
 
 /// The share of the size above which hulls are certainly apart, or overlap.
 const CLEAR: f64 = 1e-3;
@@ -24,23 +23,46 @@ const TIED: f64 = 8.0;
 /// The number of roundings that a distance may have if planes decide the direction.
 const TOUCH: f64 = 32.0;
 
-/// Returns the points in units of a power of two in which the largest distance from the first one is about one, and as
-/// columns relative to that.
-fn scaled(a: &mut [Vec3<f64>], b: &mut [Vec3<f64>]) -> [PointColumns; 2] {
-    let from = a[0];
-    let size = a.iter().chain(b.iter()).fold(0.0_f64, |most, &p| {
-        let arm = p - from;
-        most.max(largest([arm.x, arm.y, arm.z]))
-    });
-    let scale = scale_of::<f64>(size);
-    for point in a.iter_mut().chain(&mut *b) {
-        *point = *point * scale;
+/// The corners of two hulls as columns, relative to the first one, in units of a power of two in which the largest
+/// coordinate is about one.
+pub(super) struct HullPair {
+    groups: PointGroups,
+    counts: [usize; 2],
+    units: f64,
+}
+
+impl HullPair {
+    /// Returns the columns of some corners, of both one at least; `None` if one is not finite.
+    #[inline]
+    pub fn new(
+        counts: [usize; 2],
+        a: impl Fn(usize) -> Vec3<f64>,
+        b: impl Fn(usize) -> Vec3<f64>,
+    ) -> Option<Self> {
+        let from = a(0);
+        let finite =
+            (0..counts[0]).all(|k| a(k).is_finite()) && (0..counts[1]).all(|k| b(k).is_finite());
+        if !finite {
+            return None;
+        }
+        let mut groups = PointGroups::with_room(counts);
+        groups.add(counts[0], |k| a(k) - from);
+        groups.add(counts[1], |k| b(k) - from);
+        let units = groups.scale();
+        Some(HullPair {
+            groups,
+            counts,
+            units,
+        })
     }
-    [&*a, &*b].map(|points| PointColumns::new(points, a[0]))
+    fn columns(&self) -> [PointColumns<'_>; 2] {
+        let [a, b] = self.counts;
+        [self.groups.columns(0, a), self.groups.columns(a, b)]
+    }
 }
 
 /// Returns the nearest points of two hulls, beginning with the vector between their middles.
-fn nearest_points([a, b]: &[PointColumns; 2]) -> Gap<CornerDifference> {
+fn nearest_points([a, b]: &[PointColumns<'_>; 2]) -> Gap<CornerDifference> {
     let lowest = |way: Vec3<f64>| {
         let (of_a, of_b) = (a.highest(way), b.highest(-way));
         CornerDifference {
@@ -60,20 +82,41 @@ fn nearest_points([a, b]: &[PointColumns; 2]) -> Gap<CornerDifference> {
 }
 
 /// Returns the features that decide about the relation of two hulls of plain numbers, which are replayed in a format
-/// with this rounding. Both have a corner at least.
-pub(super) fn search(mut a: Vec<Vec3<f64>>, mut b: Vec<Vec3<f64>>, rounding: f64) -> HullRecord {
-    let columns = scaled(&mut a, &mut b);
+/// with this rounding, given their columns and a function that returns their corners.
+pub(super) fn search(
+    pair: &HullPair,
+    corners: impl FnOnce() -> Option<[Vec<Vec3<f64>>; 2]>,
+    rounding: f64,
+) -> HullRecord {
+    let columns = pair.columns();
     let slack = TIED * rounding;
     let seen = nearest_points(&columns);
-    let apart = !seen.inside && seen.least > CLEAR;
     let proves = !seen.inside && seen.least > APART.max(4.0 * TOUCH * rounding);
     if proves && let Some(features) = few(&columns, &seen, slack) {
         return HullRecord::new(&[features], false);
     }
     if seen.inside
-        && let Some(features) = expansion::deepest([&a, &b], &columns, seen.around(), CLEAR, slack)
+        && let Some(features) = expansion::deepest(&columns, seen.around(), CLEAR, slack)
     {
         return HullRecord::new(&features, true);
+    }
+    match corners() {
+        Some(corners) => search_all(pair, &seen, corners, rounding),
+        None => HullRecord::new(&[], false),
+    }
+}
+
+/// Returns what [`search`] does where the nearest corners do not decide.
+fn search_all(
+    pair: &HullPair,
+    seen: &Gap<CornerDifference>,
+    [mut a, mut b]: [Vec<Vec3<f64>>; 2],
+    rounding: f64,
+) -> HullRecord {
+    let slack = TIED * rounding;
+    let apart = !seen.inside && seen.least > CLEAR;
+    for point in a.iter_mut().chain(&mut b) {
+        *point = *point * pair.units;
     }
     let (of_a, of_b) = (Body::of(&a, rounding), Body::of(&b, rounding));
     let planes = match apart {
@@ -112,59 +155,45 @@ fn alone(mut all: Vec<HullFeatures>) -> Vec<HullFeatures> {
     all
 }
 
-/// The corners of a hull that are the highest along a direction, three at most.
-struct High {
-    all: [usize; 3],
+/// The corners of a hull whose weighted mean is its nearest point, three at most, in increasing order.
+struct Nearest {
+    corners: [usize; 3],
+    weights: [f64; 3],
     count: usize,
 }
 
-impl High {
-    /// Returns those up to a slack below the highest point along a direction; `None` of more.
-    fn of(columns: &PointColumns, way: Vec3<f64>, highest: usize, slack: f64) -> Option<Self> {
-        let (mut all, mut count) = ([0; 3], 0);
-        let least = way.dot(columns.point(highest)) - slack;
-        columns.above(way, least, |k| {
-            if let Some(place) = all.get_mut(count) {
-                *place = k;
-            }
-            count += 1;
-        });
-        (count <= all.len()).then_some(High { all, count })
+impl Nearest {
+    /// Returns the corners of a mean; `None` of more than three, and where others are as high along a direction, up to a
+    /// slack.
+    fn of(mix: &Mix, columns: &PointColumns<'_>, (way, least): (Vec3<f64>, f64)) -> Option<Self> {
+        let codes = mix.codes();
+        if codes.len() > 3 || columns.count_above(way, least) != codes.len() {
+            return None;
+        }
+        let mut corners = [usize::MAX; 3];
+        corners[..codes.len()].copy_from_slice(codes);
+        corners.sort_unstable();
+        Some(Nearest {
+            corners,
+            weights: corners.map(|corner| mix.weight(corner)),
+            count: codes.len(),
+        })
     }
     fn corners(&self) -> &[usize] {
-        &self.all[..self.count]
+        &self.corners[..self.count]
     }
-    /// Returns the segments between them.
-    fn sides(&self) -> impl Iterator<Item = [usize; 2]> {
-        let [i, j, k] = self.all;
-        let count = [0, 0, 1, 3][self.count];
-        [[i, j], [j, k], [i, k]].into_iter().take(count)
-    }
-    fn face(&self) -> Option<[usize; 3]> {
-        (self.count == 3).then_some(self.all)
+    /// Returns the least weight.
+    fn least(&self) -> f64 {
+        self.weights[..self.count]
+            .iter()
+            .fold(1.0, |least, &weight| weight.min(least))
     }
 }
 
-/// The nearest of some features, and the distance of the second nearest.
-struct Nearest {
-    first: Option<Near>,
-    second: f64,
-}
-
-impl Nearest {
-    fn add(&mut self, distance: f64, features: HullFeatures) {
-        let least = self.first.map_or(f64::INFINITY, |near| near.distance);
-        self.second = self.second.min(least.max(distance));
-        if distance < least {
-            self.first = Some(Near { distance, features });
-        }
-    }
-}
-
-/// Returns the nearest features of hulls that are apart, of the few corners that are the nearest along the vector
-/// between them; `None` for more corners, for ties, and where the bound from below is not reached.
+/// Returns the nearest features of hulls that are apart, those of the corners whose mean the iteration has found to be
+/// nearest; `None` where other corners may be as near, and where the bound from below is not reached.
 fn few(
-    [a, b]: &[PointColumns; 2],
+    [a, b]: &[PointColumns<'_>; 2],
     seen: &Gap<CornerDifference>,
     slack: f64,
 ) -> Option<HullFeatures> {
@@ -172,73 +201,85 @@ fn few(
     let length = long(seen.way);
     let way = seen.way * (1.0 / length);
     // A short vector has few digits.
-    let low = LOW.max(4.0 * slack).max(DIGITS / length);
-    let of_a = High::of(a, way, seen.low.a, low)?;
-    let of_b = High::of(b, -way, seen.low.b, low)?;
-    let mut all = Nearest {
-        first: None,
-        second: f64::INFINITY,
+    let digits = DIGITS / length;
+    let low = LOW.max(4.0 * slack).max(digits);
+    let mut mixes = [Mix::default(); 2];
+    for (corner, weight) in seen.weighted() {
+        mixes[0].add(corner.a, weight);
+        mixes[1].add(corner.b, weight);
+    }
+    let height = way.dot(a.point(seen.low.a)) - low;
+    let of_a = Nearest::of(&mixes[0], a, (way, height))?;
+    let height = -way.dot(b.point(seen.low.b)) - low;
+    let of_b = Nearest::of(&mixes[1], b, (-way, height))?;
+    let (from, to) = (
+        of_a.corners.map(|k| a.point(k)),
+        of_b.corners.map(|k| b.point(k)),
+    );
+    let own = |pair| HullFeatures::new(pair, of_a.corners(), of_b.corners());
+    let (distance, aside, features) = match (of_a.count, of_b.count) {
+        (1, 1) => (
+            long(to[0] - from[0]),
+            f64::INFINITY,
+            own(FeaturePair::Corners),
+        ),
+        (1, 2) => (
+            from_edge([to[0], to[1]], from[0])?,
+            (to[1] - to[0]).length_squared(),
+            own(FeaturePair::CornerEdge),
+        ),
+        (2, 1) => (
+            from_edge([from[0], from[1]], to[0])?,
+            (from[1] - from[0]).length_squared(),
+            own(FeaturePair::EdgeCorner),
+        ),
+        (2, 2) => {
+            let (u, v) = ([from[0], from[1]], [to[0], to[1]]);
+            let distance = of_edges(u, v)?;
+            let (u, v) = (u[1] - u[0], v[1] - v[0]);
+            let aside = u.cross(v).length_squared() / u.length_squared().max(v.length_squared());
+            let [i, j, _] = of_a.corners;
+            let [k, l, _] = of_b.corners;
+            (
+                distance,
+                aside,
+                edges(|k| a.point(k), [i, j], |k| b.point(k), [k, l]),
+            )
+        }
+        (1, 3) => {
+            let face = spanning(|k| b.point(k), of_b.corners(), -way);
+            let (distance, aside) = over(face.map(|k| b.point(k)), from[0])?;
+            (
+                distance,
+                aside,
+                HullFeatures::new(FeaturePair::CornerFace, of_a.corners(), &face),
+            )
+        }
+        (3, 1) => {
+            let face = spanning(|k| a.point(k), of_a.corners(), way);
+            let (distance, aside) = over(face.map(|k| a.point(k)), to[0])?;
+            (
+                distance,
+                aside,
+                HullFeatures::new(FeaturePair::FaceCorner, &face, of_b.corners()),
+            )
+        }
+        _ => return None,
     };
-    for &i in of_a.corners() {
-        for &j in of_b.corners() {
-            let features = HullFeatures::new(FeaturePair::Corners, &[i], &[j]);
-            all.add(long(b.point(j) - a.point(i)), features);
-        }
-        for side in of_b.sides() {
-            if let Some(distance) = from_edge(side.map(|k| b.point(k)), a.point(i)) {
-                all.add(
-                    distance,
-                    HullFeatures::new(FeaturePair::CornerEdge, &[i], &side),
-                );
-            }
-        }
-    }
-    for side in of_a.sides() {
-        for &j in of_b.corners() {
-            if let Some(distance) = from_edge(side.map(|k| a.point(k)), b.point(j)) {
-                all.add(
-                    distance,
-                    HullFeatures::new(FeaturePair::EdgeCorner, &side, &[j]),
-                );
-            }
-        }
-        for other in of_b.sides() {
-            if let Some(distance) = of_edges(side.map(|k| a.point(k)), other.map(|k| b.point(k))) {
-                all.add(distance, edges(|k| a.point(k), side, |k| b.point(k), other));
-            }
-        }
-    }
-    if let Some(corners) = of_a.face() {
-        let face = spanning(|k| a.point(k), &corners, way);
-        for &j in of_b.corners() {
-            if let Some(distance) = over(face.map(|k| a.point(k)), b.point(j)) {
-                all.add(
-                    distance,
-                    HullFeatures::new(FeaturePair::FaceCorner, &face, &[j]),
-                );
-            }
-        }
-    }
-    if let Some(corners) = of_b.face() {
-        let face = spanning(|k| b.point(k), &corners, -way);
-        for &i in of_a.corners() {
-            if let Some(distance) = over(face.map(|k| b.point(k)), a.point(i)) {
-                all.add(
-                    distance,
-                    HullFeatures::new(FeaturePair::CornerFace, &[i], &face),
-                );
-            }
-        }
-    }
-    let near = all.first?;
+    // Sides and ends of the features are farther by more than the slack.
+    let weight = of_a.least().min(of_b.least());
+    let alone = weight * weight * aside > 4.0 * slack * (distance + slack);
     let least = way.dot(seen.low.way);
-    let alone = all.second > near.distance + slack;
-    (alone && (near.distance - least).abs() <= REACHED).then_some(near.features)
+    (alone && (distance - least).abs() <= REACHED.max(digits)).then_some(features)
 }
 
-/// Returns the height of a point over a triangle, if its foot is inside.
-fn over([a, b, c]: [Vec3<f64>; 3], point: Vec3<f64>) -> Option<f64> {
+/// Returns the height of a point over a triangle, if its foot is inside, and the square of the least height of a corner
+/// over the opposite side.
+fn over([a, b, c]: [Vec3<f64>; 3], point: Vec3<f64>) -> Option<(f64, f64)> {
     let normal = super::body::across(b - a, c - a);
     let inside = |p: Vec3<f64>, q: Vec3<f64>| normal.dot((q - p).cross(point - p)) > 0.0;
-    (inside(a, b) && inside(b, c) && inside(c, a)).then(|| normal.dot(point - a).abs())
+    let longest = [b - a, c - b, a - c].map(|side| side.length_squared());
+    let longest = longest.into_iter().fold(0.0, f64::max);
+    let aside = (b - a).cross(c - a).length_squared() / longest;
+    (inside(a, b) && inside(b, c) && inside(c, a)).then(|| (normal.dot(point - a).abs(), aside))
 }

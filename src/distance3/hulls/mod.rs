@@ -45,16 +45,18 @@ use super::half_space::Bounded;
 use super::near::Low;
 use super::relation::Relation;
 use super::spot::{plain, vanish};
+use crate::arrays::Each;
 use crate::distance::share::Best;
 use crate::scalar::{Guard, noted};
 use crate::{Hull3, Pack, Scalar, Vec3};
 pub(super) use body::{Body as HullBody, Face as HullFace};
 pub(crate) use corner_slopes::{ByCorners, by_turn, corner_slopes};
 use facing_ring::facing;
-pub(super) use highest_point::PointColumns;
+pub(super) use highest_point::{PointColumns, PointGroups};
 pub(super) use hull_record::around;
 pub(crate) use hull_record::spanning;
 pub use hull_record::{FeaturePair, HullFeatures, HullRecord};
+use hull_search::HullPair;
 pub(super) use patch::ring as patch_ring;
 
 /// The corners of a shape.
@@ -187,19 +189,17 @@ fn origin<S: Scalar, A: Cornered<Scalar = S>, B: Cornered<Scalar = S>>(a: &A, b:
     a.middle().or(b.middle()).unwrap_or(Vec3::zero())
 }
 
+/// Returns a corner as plain numbers, exactly; NaN of another format.
+fn number<S: Scalar>(corners: &impl CornerList<S>, k: usize) -> Vec3<f64> {
+    let Vec3 { x, y, z } = corners.at(k);
+    let [x, y, z] = [x, y, z].each_as(|x| x.widened().unwrap_or(f64::NAN));
+    Vec3::new(x, y, z)
+}
+
 /// Returns the corners as plain numbers, exactly; `None` where one is not finite, or of another format.
 pub(super) fn numbers<S: Scalar>(corners: &impl CornerList<S>) -> Option<Vec<Vec3<f64>>> {
-    let count = corners.count();
-    let mut all = Vec::with_capacity(count);
-    for k in 0..count {
-        let Vec3 { x, y, z } = corners.at(k);
-        let point = Vec3::new(x.widened()?, y.widened()?, z.widened()?);
-        if !point.is_finite() {
-            return None;
-        }
-        all.push(point);
-    }
-    Some(all)
+    let all: Vec<_> = (0..corners.count()).map(|k| number(corners, k)).collect();
+    all.iter().all(|point| point.is_finite()).then_some(all)
 }
 
 /// Returns the features that decide about the relation of a hull and another shape with corners. Those of shapes that
@@ -213,9 +213,18 @@ where
 {
     let from = origin(a, b);
     let (of_a, of_b) = (a.corners_from(from), b.corners_from(from));
-    let record = match (numbers(&of_a), numbers(&of_b)) {
-        (Some(a), Some(b)) => hull_search::search(a, b, S::format().epsilon()),
-        _ => HullRecord::new(&[], false),
+    let pair = HullPair::new(
+        [of_a.count(), of_b.count()],
+        |k| number(&of_a, k),
+        |k| number(&of_b, k),
+    );
+    let record = match pair {
+        Some(pair) => hull_search::search(
+            &pair,
+            || Some([numbers(&of_a)?, numbers(&of_b)?]),
+            S::format().epsilon(),
+        ),
+        None => HullRecord::new(&[], false),
     };
     noted::<S::Primal>(1, [record.inside.into()]);
     for features in record.features() {

@@ -1,5 +1,4 @@
 //! The mean of some supports of a solid, by codes of the corners, ends or rims that they are on.
-use super::piece::Place;
 
 /// The codes of a solid's points whose mean is the nearest one, each once, and their weights.
 #[derive(Clone, Copy, Debug, Default)]
@@ -32,21 +31,5 @@ impl Mix {
     /// Returns the weight of a code.
     pub fn weight(&self, code: usize) -> f64 {
         self.sum(|own| own == code)
-    }
-}
-
-/// Returns a place with a share of the axis.
-pub fn along(share: f64) -> Place<f64> {
-    Place {
-        s: share,
-        ..Place::zero()
-    }
-}
-
-/// Returns a place with two coordinates.
-pub fn within(x: f64, y: f64) -> Place<f64> {
-    Place {
-        y: [x, y, 0.0],
-        ..Place::zero()
     }
 }
