@@ -7,6 +7,13 @@ pub(super) trait Difference: Copy {
     fn way(&self) -> Vec3<f64>;
 }
 
+impl Difference for Vec3<f64> {
+    #[inline(always)]
+    fn way(&self) -> Vec3<f64> {
+        *self
+    }
+}
+
 /// A corner of b less one of a, and the numbers of both.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CornerDifference {
@@ -126,7 +133,7 @@ fn of_segment(p: Vec3<f64>, q: Vec3<f64>) -> [f64; 2] {
 }
 
 /// Returns the weights of the point of a triangle that is nearest to the origin, and the square of its distance.
-fn of_triangle(corners: [Vec3<f64>; 3]) -> ([f64; 3], f64) {
+pub(super) fn of_triangle(corners: [Vec3<f64>; 3]) -> ([f64; 3], f64) {
     let [a, b, c] = corners;
     let normal = (b - a).cross(c - a);
     let parts = [b.cross(c), c.cross(a), a.cross(b)].map(|part| part.dot(normal));

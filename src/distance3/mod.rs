@@ -120,6 +120,7 @@ mod outcome;
 mod pair;
 pub(crate) mod parting;
 pub mod polyline;
+mod polytope;
 pub(crate) mod relation;
 pub(crate) mod round;
 pub(crate) mod simplex;

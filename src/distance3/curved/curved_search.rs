@@ -290,7 +290,7 @@ impl Solids<'_> {
     }
     /// Returns a direction beside a touch along which solids that overlap part after a shorter way, if there is one: a
     /// touch may be stationary without being the best near it.
-    fn better(&self, found: &Found) -> Option<Vec3<f64>> {
+    pub(super) fn better(&self, found: &Found) -> Option<Vec3<f64>> {
         let [x, y] = tangents(found.touch.normal);
         // A rim as far from the line of the middles as the other one's reach has better ways along that line alone.
         let between = self.b.middle() - self.a.middle();
@@ -311,7 +311,7 @@ impl Solids<'_> {
     /// Returns a direction around the axis of either solid along which they part after a shorter way than at a touch, if
     /// there is one. About axes that are nearly parallel all ways are as good but for the square of the angle, which the
     /// expansion does not see.
-    fn around(&self, found: &Found) -> Option<Vec3<f64>> {
+    pub(super) fn around(&self, found: &Found) -> Option<Vec3<f64>> {
         let mut best = (found.value + EXACT * self.size, None);
         let (p, q) = (axis(self.a)?, axis(self.b)?);
         if p.along.dot(q.along).abs() < PARALLEL {
@@ -404,7 +404,8 @@ impl<'a> Solids<'a> {
     }
 }
 
-/// Returns the touch of two solids that are clearly apart, and the equations about it, where that is simple.
+/// Returns the touch of two solids that are clearly apart or overlap clearly, and the equations about it, where that is
+/// simple.
 pub fn quick(a: &dyn Supported, b: &dyn Supported) -> Option<(Found, System<FEW>)> {
     Solids::new(a, b).quick()
 }
@@ -435,7 +436,7 @@ pub fn search(a: &dyn Supported, b: &dyn Supported) -> Option<Found> {
     }
     let apart = |found: &Found| found.error <= GOOD * size && found.value > 0.0;
     if !best.as_ref().is_some_and(apart) {
-        for exit in exits(&|way| solids.lowest(way, Vec3::zero())) {
+        for exit in exits(&|way| solids.lowest_coded(way)).all {
             // A bound from below of the depth.
             let deeper = |best: &Found| best.error <= GOOD * size && exit.depth >= -best.value;
             if !best.as_ref().is_some_and(deeper) {

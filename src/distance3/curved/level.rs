@@ -49,7 +49,10 @@ fn level(solid: &dyn Supported, normal: Vec3<f64>, slack: f64) -> Option<usize> 
 pub fn shared(solids: &Solids<'_>, found: Found) -> Found {
     let (normal, slack) = (found.touch.normal, LEVEL * solids.size);
     let (a, b) = (solids.a, solids.b);
-    let Some((i, j)) = level(a, normal, slack).zip(level(b, -normal, slack)) else {
+    let Some(i) = level(a, normal, slack) else {
+        return found;
+    };
+    let Some(j) = level(b, -normal, slack) else {
         return found;
     };
     let (of_a, of_b) = (a.piece(i, normal), b.piece(j, -normal));

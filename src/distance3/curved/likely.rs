@@ -45,42 +45,53 @@ impl Solid<f64> {
             }
         }
     }
+    /// Returns the flat end or the rim of a circle, with its number, whichever is more likely to have a point near another
+    /// one, or the other one; `None` for a rim that moves too fast with the normal.
+    fn end_or_rim(
+        [end, rim]: [usize; 2],
+        (center, ways, radius): (Vec3<f64>, &[Vec3<f64>; 2], f64),
+        (at, normal): (Vec3<f64>, Vec3<f64>),
+        likely: bool,
+    ) -> Option<(usize, Place<f64>)> {
+        let steep = steep(ways, normal);
+        let [x, y] = ways.map(|way| way.dot(at - center));
+        let is_inner = steep < 0.5 && x * x + y * y < INNER * INNER * radius * radius;
+        match (is_inner || steep <= STEADY) == likely {
+            true => {
+                let piece = Piece::plane(PieceKind::Face, center, *ways, [radius; 2]);
+                Some((end, start(&piece, at, normal, true)))
+            }
+            false => (steep > STEADY).then_some((TURNED + rim, Place::zero())),
+        }
+    }
     /// Returns the number of a piece and a place on it, given the points whose mean is the nearest one, that point, and the
-    /// outer normal; `None` where it is not clear.
+    /// outer normal, or of the second most likely one; `None` where it is not clear.
     pub fn likely_piece(
         &self,
         mix: &Mix,
-        at: Vec3<f64>,
-        normal: Vec3<f64>,
+        (at, normal): (Vec3<f64>, Vec3<f64>),
+        likely: bool,
     ) -> Option<(usize, Place<f64>)> {
         let circle =
-            |face: usize, rim: usize, center: Vec3<f64>, ways: &[Vec3<f64>; 2], radius: f64| {
-                let steep = steep(ways, normal);
-                let [x, y] = ways.map(|way| way.dot(at - center));
-                if steep < 0.5 && x * x + y * y < INNER * INNER * radius * radius {
-                    let piece = Piece::plane(PieceKind::Face, center, *ways, [radius; 2]);
-                    return Some((face, start(&piece, at, normal, true)));
-                }
-                (steep > STEADY).then_some((TURNED + rim, Place::zero()))
+            |numbers: [usize; 2], center: Vec3<f64>, ways: &[Vec3<f64>; 2], radius: f64| {
+                Solid::end_or_rim(numbers, (center, ways, radius), (at, normal), likely)
             };
         match *self {
-            Solid::Ball { ways, half, .. } => {
-                is_steady_ball(&ways, &half, normal).then_some((TURNED, Place::zero()))
-            }
             Solid::Disc {
                 center,
                 ways,
                 radius,
-            } => circle(0, 1, center, &ways, radius),
+            } => circle([0, 1], center, &ways, radius),
             Solid::Cylinder {
                 start,
                 axis,
                 ways,
                 radius,
             } => match *mix.codes() {
-                [0] => circle(0, 2, start, &ways, radius),
-                [_] => circle(1, 3, start + axis, &ways, radius),
-                _ => (steep(&ways, normal) > STEADY).then_some((TURNED + 4, along(mix.weight(1)))),
+                [0] => circle([0, 2], start, &ways, radius),
+                [_] => circle([1, 3], start + axis, &ways, radius),
+                _ => (likely && steep(&ways, normal) > STEADY)
+                    .then_some((TURNED + 4, along(mix.weight(1)))),
             },
             Solid::Cone {
                 apex,
@@ -88,10 +99,15 @@ impl Solid<f64> {
                 ways,
                 radius,
             } => match *mix.codes() {
-                [0] => Some((3, Place::zero())),
-                [_] => circle(0, 1, apex + axis, &ways, radius),
-                _ => (steep(&ways, normal) > STEADY).then_some((TURNED + 2, along(mix.weight(1)))),
+                [0] => likely.then_some((3, Place::zero())),
+                [_] => circle([0, 1], apex + axis, &ways, radius),
+                _ => (likely && steep(&ways, normal) > STEADY)
+                    .then_some((TURNED + 2, along(mix.weight(1)))),
             },
+            _ if !likely => None,
+            Solid::Ball { ways, half, .. } => {
+                is_steady_ball(&ways, &half, normal).then_some((TURNED, Place::zero()))
+            }
             Solid::Box { .. } => of_box(mix),
             Solid::Simplex { count, .. } => of_simplex(self, count, mix),
         }

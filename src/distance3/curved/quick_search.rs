@@ -1,11 +1,13 @@
-//! The touch of two solids that are clearly apart, where it is regular: most of them.
+//! The touch of two solids that are clearly apart, or overlap clearly, where it is regular: most of them.
 //!
 //! An iteration by supports says after a few steps which pieces are near. Newton's step on these converges by the square;
 //! where it does not, the iteration goes on. The same proof as of other searches decides: the gap of the supports along
 //! the normal is the distance of two points of the solids. Solids that are apart have one least distance, so that it does
-//! not matter how its place was guessed.
-use super::super::gjk::{CodedDifference, Gap, gap_until};
+//! not matter how its place was guessed. Of solids that overlap the expansion bounds how deep they are along other
+//! directions, and directions beside the touch and around their axes are tried as in the full search.
+use super::super::gjk::{CodedDifference, gap_until, of_triangle};
 use super::super::mix::Mix;
+use super::expand::exits;
 use super::piece::{Piece, PieceKind, Place};
 use super::solid_pair::{Found, Solids};
 use super::touch::{FEW, System, Touch};
@@ -19,7 +21,7 @@ const STEPS: usize = 6;
 const LAST: f64 = 1e-7;
 /// The error up to which a touch is exact, relative to the size.
 const EXACT: f64 = 1e-13;
-/// The distance above which solids are clearly apart, relative to the size.
+/// The distance above which solids are clearly apart, and the depth of those that clearly overlap, relative to the size.
 const APART: f64 = 1e-6;
 
 /// Returns the dimension of a piece that has a flat part.
@@ -37,21 +39,47 @@ fn shift(p: &Place<f64>, q: &Place<f64>) -> f64 {
 }
 
 impl Solids<'_> {
-    /// Returns the touch to which Newton's steps lead from the pieces that an iteration has reached, if it is proved to be
-    /// the only one, and the equations about it.
-    fn guessed(&self, gap: &Gap<CodedDifference>) -> Option<(Found, System<FEW>)> {
+    /// Returns the touch to which Newton's steps lead from a normal and the pieces that points are on whose weighted mean is
+    /// the nearest one, if it is proved, and the equations about it. In the last try less likely pieces count, too.
+    fn guessed<'d>(
+        &self,
+        normal: Vec3<f64>,
+        weighted: impl Iterator<Item = (&'d CodedDifference, f64)>,
+        side: f64,
+        is_last: bool,
+    ) -> Option<(Found, System<FEW>)> {
         let mut mixes = [Mix::default(); 2];
         let (mut on_a, mut on_b) = (Vec3::zero(), Vec3::zero());
-        for (corner, weight) in gap.weighted() {
+        for (corner, weight) in weighted {
             mixes[0].add(corner.codes[0], weight);
             mixes[1].add(corner.codes[1], weight);
             on_a += corner.a * weight;
             on_b += corner.b * weight;
         }
-        let normal = gap.way * (1.0 / gap.way.length_squared().sqrt());
-        let (i, a) = self.a.likely(&mixes[0], on_a, normal)?;
-        let (j, b) = self.b.likely(&mixes[1], on_b, -normal)?;
-        let mut touch = Touch { normal, a, b };
+        let attempt = |of_a: Option<(usize, Place<f64>)>, of_b: Option<(usize, Place<f64>)>| {
+            let ((i, a), (j, b)) = (of_a?, of_b?);
+            self.stepped([i, j], Touch { normal, a, b }, side)
+        };
+        let of_a = self.a.likely(&mixes[0], on_a, normal);
+        let of_b = self.b.likely(&mixes[1], on_b, -normal);
+        let found = attempt(of_a, of_b);
+        if found.is_some() || !is_last {
+            return found;
+        }
+        let or_a = self.a.less_likely(&mixes[0], on_a, normal);
+        let or_b = self.b.less_likely(&mixes[1], on_b, -normal);
+        attempt(or_a, of_b)
+            .or_else(|| attempt(of_a, or_b))
+            .or_else(|| attempt(or_a, or_b))
+    }
+    /// Returns the touch of two pieces to which Newton's steps lead from a first one, if it is proved, and the equations
+    /// about it.
+    fn stepped(
+        &self,
+        [i, j]: [usize; 2],
+        mut touch: Touch<f64>,
+        side: f64,
+    ) -> Option<(Found, System<FEW>)> {
         for _ in 0..STEPS {
             let [of_a, of_b] = self.pieces([i, j], touch.normal);
             let mut system: System<FEW> = System::equations([&of_a, &of_b], &touch);
@@ -78,13 +106,15 @@ impl Solids<'_> {
                 if system.rank == 0 {
                     system.decompose();
                 }
-                return self.proved([i, j], &touch).map(|found| (found, system));
+                let found = self.proved([i, j], &touch, side);
+                return found.map(|found| (found, system));
             }
         }
         None
     }
-    /// Returns the touch of two pieces with its value, if that is proved and the touch is the only one.
-    fn proved(&self, pieces: [usize; 2], touch: &Touch<f64>) -> Option<Found> {
+    /// Returns the touch of two pieces with its value, if that is proved, and clear, with the sign of a side, and no other
+    /// points are as near along its normal.
+    fn proved(&self, pieces: [usize; 2], touch: &Touch<f64>, side: f64) -> Option<Found> {
         let normal = touch.normal;
         let value = self.value(normal);
         let on = Touch {
@@ -97,7 +127,8 @@ impl Solids<'_> {
             .length_squared()
             .sqrt();
         let off = shift(&touch.a, &on.a) + shift(&touch.b, &on.b);
-        let exact = error <= EXACT * self.size && value > APART * self.size && off <= LAST * LAST;
+        let clear = value * side > APART * self.size;
+        let exact = error <= EXACT * self.size && clear && off <= LAST * LAST;
         if !exact {
             return None;
         }
@@ -121,35 +152,66 @@ impl Solids<'_> {
             settled: true,
         })
     }
-    /// Returns the only touch of solids that are clearly apart, and the equations about it, if it is found at once.
+    /// Returns the point of b less a that is the lowest along a vector, with codes.
+    pub(super) fn lowest_coded(&self, way: Vec3<f64>) -> CodedDifference {
+        let ((a, of_a), (b, of_b)) = (self.a.coded(way), self.b.coded(-way));
+        CodedDifference {
+            way: b - a,
+            a,
+            b,
+            codes: [of_a, of_b],
+        }
+    }
+    /// Returns the touch of solids that are clearly apart or overlap clearly, and the equations about it, if it is found at
+    /// once.
     pub fn quick(&self) -> Option<(Found, System<FEW>)> {
         let way = self.b.middle() - self.a.middle();
-        let lowest = |way: Vec3<f64>| {
-            let ((a, of_a), (b, of_b)) = (self.a.coded(way), self.b.coded(-way));
-            CodedDifference {
-                way: b - a,
-                a,
-                b,
-                codes: [of_a, of_b],
-            }
-        };
         let length = way.length();
         let is_apart = length > APART * self.size;
         if !is_apart {
             return None;
         }
-        let start = lowest(way);
+        let start = self.lowest_coded(way);
         let (mut found, mut tried) = (None, 0);
-        gap_until(lowest, start, way.dot(start.way) / length, |gap, off| {
-            let due = tried < TRIES.len() && off <= TRIES[tried] && gap.least > 0.0;
-            if due {
-                while tried < TRIES.len() && off <= TRIES[tried] {
-                    tried += 1;
+        let least = way.dot(start.way) / length;
+        let seen = gap_until(
+            |way| self.lowest_coded(way),
+            start,
+            least,
+            |gap, off| {
+                let due = tried < TRIES.len() && off <= TRIES[tried] && gap.least > 0.0;
+                if due {
+                    while tried < TRIES.len() && off <= TRIES[tried] {
+                        tried += 1;
+                    }
+                    let normal = gap.way * (1.0 / gap.way.length_squared().sqrt());
+                    found = self.guessed(normal, gap.weighted(), 1.0, tried == TRIES.len());
                 }
-                found = self.guessed(gap);
-            }
-            found.is_some() || tried == TRIES.len()
-        });
-        found
+                found.is_some() || tried == TRIES.len()
+            },
+        );
+        match seen.inside {
+            true => self.quick_overlap(),
+            false => found,
+        }
+    }
+    /// Returns the touch of solids that clearly overlap, and the equations about it, if it is found at once and no other
+    /// direction is better.
+    fn quick_overlap(&self) -> Option<(Found, System<FEW>)> {
+        let exits = exits(&|way| self.lowest_coded(way));
+        let (best, corners) = (exits.all[0], exits.face?);
+        let (weights, _) = of_triangle(corners.map(|corner| corner.way));
+        let weighted = corners.iter().zip(weights);
+        let weighted = weighted.filter(|(_, weight)| *weight > 0.0);
+        let (found, system) = self.guessed(best.normal, weighted, -1.0, true)?;
+        let depth = -found.value;
+        let deepest = depth <= best.depth + EXACT * self.size;
+        let alone = exits.all[1..].iter().all(|exit| exit.depth >= depth);
+        let none_better = || {
+            self.better(&found)
+                .or_else(|| self.around(&found))
+                .is_none()
+        };
+        (deepest && alone && none_better()).then_some((found, system))
     }
 }

@@ -33,6 +33,10 @@ pub trait Supported {
     /// Returns the number of the piece that the nearest point is on, and a place, given the points whose mean it is, that
     /// mean, and the outer normal; `None` where it is not clear.
     fn likely(&self, mix: &Mix, at: Vec3<f64>, normal: Vec3<f64>) -> Option<(usize, Place<f64>)>;
+    /// Returns the same of the piece that is the second most likely; `None` without one.
+    fn less_likely(&self, _: &Mix, _: Vec3<f64>, _: Vec3<f64>) -> Option<(usize, Place<f64>)> {
+        None
+    }
     /// Returns the dimension of the set of highest points along a normal, within a slack.
     fn flatness(&self, _normal: Vec3<f64>, _slack: f64) -> usize {
         0
@@ -176,7 +180,15 @@ impl Supported for Solid<f64> {
         (point, self.code(way, point))
     }
     fn likely(&self, mix: &Mix, at: Vec3<f64>, normal: Vec3<f64>) -> Option<(usize, Place<f64>)> {
-        self.likely_piece(mix, at, normal)
+        self.likely_piece(mix, (at, normal), true)
+    }
+    fn less_likely(
+        &self,
+        mix: &Mix,
+        at: Vec3<f64>,
+        normal: Vec3<f64>,
+    ) -> Option<(usize, Place<f64>)> {
+        self.likely_piece(mix, (at, normal), false)
     }
     fn flatness(&self, normal: Vec3<f64>, slack: f64) -> usize {
         self.flat(normal, slack)

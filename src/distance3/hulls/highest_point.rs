@@ -23,7 +23,7 @@ pub(in crate::distance3) struct PointColumns<'a> {
     count: usize,
 }
 
-/// The numbers of the points of a group, given the first of them, as numbers that compare with heights.
+/// Returns the numbers of the points of a group, given the first of them, as `f64`, which vectors compare with heights.
 #[inline(always)]
 fn named(first: f64) -> [f64; LANES] {
     [0, 1, 2, 3].map(|lane| first + f64::from(lane))

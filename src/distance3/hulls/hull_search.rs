@@ -1,10 +1,10 @@
 //! The search for the features of two hulls that decide about their relation.
 use super::super::gjk::{CornerDifference, Gap, gap};
 use super::super::mix::Mix;
-use super::body::Body;
+use super::body::{Body, across};
 use super::expansion;
 use super::highest_point::{PointColumns, PointGroups};
-use super::hull_record::{FeaturePair, HullFeatures, HullRecord, spanning};
+use super::hull_record::{FeaturePair, HullFeatures, HullRecord, around, spanning};
 use super::near_features::{edges, from_edge, long, nearest, of_edges};
 use super::parting_planes as planes;
 use super::patch;
@@ -163,11 +163,10 @@ struct Nearest {
 }
 
 impl Nearest {
-    /// Returns the corners of a mean; `None` of more than three, and where others are as high along a direction, up to a
-    /// slack.
-    fn of(mix: &Mix, columns: &PointColumns<'_>, (way, least): (Vec3<f64>, f64)) -> Option<Self> {
+    /// Returns the corners of a mean; `None` of more than three.
+    fn of(mix: &Mix) -> Option<Self> {
         let codes = mix.codes();
-        if codes.len() > 3 || columns.count_above(way, least) != codes.len() {
+        if codes.len() > 3 {
             return None;
         }
         let mut corners = [usize::MAX; 3];
@@ -208,10 +207,31 @@ fn few(
         mixes[0].add(corner.a, weight);
         mixes[1].add(corner.b, weight);
     }
-    let height = way.dot(a.point(seen.low.a)) - low;
-    let of_a = Nearest::of(&mixes[0], a, (way, height))?;
-    let height = -way.dot(b.point(seen.low.b)) - low;
-    let of_b = Nearest::of(&mixes[1], b, (-way, height))?;
+    let of_a = Nearest::of(&mixes[0])?;
+    let of_b = Nearest::of(&mixes[1])?;
+    let high = (way, way.dot(a.point(seen.low.a)) - low);
+    let deep = (-way, -way.dot(b.point(seen.low.b)) - low);
+    let level = [a.count_above(high.0, high.1), b.count_above(deep.0, deep.1)];
+    let least = way.dot(seen.low.way);
+    let is_reached = |distance: f64| (distance - least).abs() <= REACHED.max(digits);
+    if level != [of_a.count, of_b.count] {
+        let (distance, features) = match (level[0], level[1]) {
+            (4.., 1) => {
+                let corner = of_b.corners[0];
+                let (face, distance) = wide_face(a, high, low, b.point(corner))?;
+                let features = HullFeatures::new(FeaturePair::FaceCorner, &face, &[corner]);
+                (distance, features)
+            }
+            (1, 4..) => {
+                let corner = of_a.corners[0];
+                let (face, distance) = wide_face(b, deep, low, a.point(corner))?;
+                let features = HullFeatures::new(FeaturePair::CornerFace, &[corner], &face);
+                (distance, features)
+            }
+            _ => return None,
+        };
+        return is_reached(distance).then_some(features);
+    }
     let (from, to) = (
         of_a.corners.map(|k| a.point(k)),
         of_b.corners.map(|k| b.point(k)),
@@ -266,17 +286,50 @@ fn few(
         }
         _ => return None,
     };
-    // Sides and ends of the features are farther by more than the slack.
+    // Sides and ends of the features are farther by more than roundings, of `f64` in every format: corners that are level
+    // within those of a format have been counted.
     let weight = of_a.least().min(of_b.least());
-    let alone = weight * weight * aside > 4.0 * slack * (distance + slack);
-    let least = way.dot(seen.low.way);
-    (alone && (distance - least).abs() <= REACHED.max(digits)).then_some(features)
+    let alone = is_aside(weight * weight * aside, distance);
+    (alone && is_reached(distance)).then_some(features)
+}
+
+/// Returns `true` if a point at a distance from another feature is nearer to it than to what is beside its foot, given the
+/// square of how far that is.
+fn is_aside(square: f64, distance: f64) -> bool {
+    const GAP: f64 = TIED * f64::EPSILON;
+    square > 4.0 * GAP * (distance + GAP)
+}
+
+/// Returns three corners of the face of more than three that is the highest along a direction, over which a point is, and
+/// the height of the point; `None` near the border of the face. Corners up to a slack below a height are those of the face.
+fn wide_face(
+    columns: &PointColumns<'_>,
+    (way, least): (Vec3<f64>, f64),
+    slack: f64,
+    point: Vec3<f64>,
+) -> Option<([usize; 3], f64)> {
+    let (points, mut corners) = (columns.points(), Vec::new());
+    columns.above(way, least, |k| corners.push(k));
+    let ring = patch::ring(&points, &corners, (corners[0], way), slack);
+    if ring.len() != corners.len() {
+        return None;
+    }
+    let face = around(&points, &ring, (way, way), point);
+    let [p, q, r] = face.map(|k| points[k]);
+    let normal = across(q - p, r - p);
+    let distance = normal.dot(point - p).abs();
+    let inside = |k: usize| {
+        let (from, to) = (points[ring[k]], points[ring[(k + 1) % ring.len()]]);
+        let side = normal.dot((to - from).cross(point - from));
+        side > 0.0 && is_aside(side * side / (to - from).length_squared(), distance)
+    };
+    (0..ring.len()).all(inside).then_some((face, distance))
 }
 
 /// Returns the height of a point over a triangle, if its foot is inside, and the square of the least height of a corner
 /// over the opposite side.
 fn over([a, b, c]: [Vec3<f64>; 3], point: Vec3<f64>) -> Option<(f64, f64)> {
-    let normal = super::body::across(b - a, c - a);
+    let normal = across(b - a, c - a);
     let inside = |p: Vec3<f64>, q: Vec3<f64>| normal.dot((q - p).cross(point - p)) > 0.0;
     let longest = [b - a, c - b, a - c].map(|side| side.length_squared());
     let longest = longest.into_iter().fold(0.0, f64::max);
