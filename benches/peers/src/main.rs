@@ -12,6 +12,7 @@
 //! `-- --boolean` the overlap of polygons of any kind; `-- --paper FILE.svg [--csv FILE] [--backend cpu|gpu|auto]` times
 //! the IoU loss against the number of boxes
 //! and draws it, with the GPU's curves beside the CPU's (`--features gpu`).
+mod bodies;
 mod boolean;
 mod levels;
 mod meshes;
@@ -159,11 +160,13 @@ Usage: peers [--levels | --shapes | --suppress] [--csv FILE]
        peers --paper SVG [--csv FILE] [--backend cpu|gpu|auto]
        peers --polygons | --boolean | --meshes [--check] | --offsets
        peers --space [--pairs FILE]
+       peers --bodies FILE
        peers --planner
 
 Without arguments: rotated boxes and rings next to other libraries. --paper draws the IoU loss against the
 number of boxes; --backend gpu adds a GPU's curves and needs a build with `--features gpu`, auto adds them
-where there is one. --pairs writes pairs of solids for `coal.cpp`. The environment variable GEOGRAD_GPU chooses among GPUs.
+where there is one. --pairs writes pairs of solids for `coal.cpp`, --bodies times curved bodies and writes them for
+`coal_bodies.cpp`. The environment variable GEOGRAD_GPU chooses among GPUs.
 ";
 
 fn main() -> ExitCode {
@@ -216,6 +219,7 @@ fn run(arguments: &[String], machine: &Machine) -> Result<(), Failure> {
             | ["--levels" | "--shapes" | "--suppress", "--csv", _]
             | ["--meshes", "--check"]
             | ["--space", "--pairs", _]
+            | ["--bodies", _]
             | ["--paper", _]
             | ["--paper", _, "--csv", _]
     );
@@ -250,6 +254,11 @@ fn run(arguments: &[String], machine: &Machine) -> Result<(), Failure> {
         ["--offsets"] => on_threads(1, offsets::offsets),
         ["--space"] => space::space(1_000_000),
         ["--space", "--pairs", file] => write(file, &space::pairs(10_000))?,
+        ["--bodies", file] => {
+            let mut pairs = String::new();
+            on_threads(1, || pairs = bodies::bodies());
+            write(file, &pairs)?;
+        }
         ["--planner"] => planner::planner(),
         ["--boolean"] => on_threads(1, boolean::polygons),
         ["--suppress"] => drop(suppress::suppress()),

@@ -8,7 +8,7 @@ use std::hint::black_box;
 
 #[path = "../../../tests/geometry/space/draw.rs"]
 #[allow(dead_code)]
-mod draw;
+pub mod draw;
 #[path = "../../../tests/geometry/space/oracle.rs"]
 #[allow(dead_code)]
 mod oracle;
