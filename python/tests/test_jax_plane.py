@@ -51,6 +51,21 @@ def test_cells_are_those_of_numpy_with_the_slopes_of_differences():
         geograd_jax.cells(np.zeros((3, 3)), domain=DOMAIN)
 
 
+def test_weights_of_places_are_those_of_numpy_with_the_slopes_of_differences():
+    points, places = DRAW.uniform(0, 4, (12, 2)), DRAW.uniform(-1, 5, (25, 2))
+    made = geograd.Delaunay(points)
+    triangles, expected = made.barycentric(places)
+    inside = triangles >= 0
+    corners, weights = jax.jit(geograd_jax.barycentric)(points, places)
+    assert (np.asarray(weights) == expected).all() and inside.any() and not inside.all()
+    assert (np.asarray(corners)[inside] == made.triangles[triangles[inside]]).all() and not np.asarray(corners)[~inside].any()
+    w = DRAW.normal(0, 1, (25, 3))
+    slopes(lambda p, q: (geograd_jax.barycentric(p, q).weights * w).sum(), points, places)
+    assert not np.asarray(geograd_jax.barycentric(np.array([[0.0, 0], [1, 1], [2, 2]]), places).weights).any()
+    with pytest.raises(ValueError, match="places"):
+        geograd_jax.barycentric(points, np.zeros((3, 3)))
+
+
 @pytest.mark.parametrize("name", ["buffer_area", "buffer_perimeter"])
 @pytest.mark.parametrize("sign", [1, -1])
 def test_measures_of_offsets_are_those_of_numpy_with_the_slopes_of_differences(name, sign):

@@ -48,6 +48,44 @@ def cells(sites: Array, weights: Optional[Array] = None, *, domain: Any) -> Cell
     return CellMeasures(*hosted(xs, [(count,), (count, 2), ()], value)[:3])
 
 
+class PlaceWeights(NamedTuple):
+    """For each of M places the points of the triangle that contains it, and their weights."""
+
+    #: The numbers of the points, of shape (M, 3).
+    corners: Array
+    #: The weights, of shape (M, 3): from 0 to 1 with the sum 1, zeros outside of all triangles.
+    weights: Array
+
+
+def barycentric(points: Array, places: Array) -> PlaceWeights:
+    """Points around places in the Delaunay triangulation of points, and their weights: :meth:`geograd.Delaunay.barycentric` in JAX.
+
+    ``points`` has the shape (N, 2), ``places`` (M, 2). Weights have first derivatives backwards by both. The mean of numbers at
+    the points by these weights is their linear interpolation.
+
+    >>> heights = jnp.array([10.0, 20.0, 30.0])
+    >>> corners, weights = geograd.jax.barycentric(jnp.array([[0.0, 0], [4, 0], [0, 4]]), jnp.array([[1.0, 2]]))
+    >>> (heights[corners] * weights).sum(1)
+    """
+    for name, own in (("points", points), ("places", places)):
+        if np.ndim(own) != 2 or np.shape(own)[1] != 2:
+            raise ValueError(f"{name}: an array of shape (K, 2) is needed, not {np.shape(own)}")
+    shape = (np.shape(places)[0], 3)
+
+    def search(points: Any, places: Any) -> Any:
+        made = geograd.Delaunay(points)
+        found = made.locate(places)
+        known = made.triangles if len(made) else np.zeros((1, 3), np.int64)
+        return np.where(found[:, None] >= 0, known[found], 0)
+
+    def value(points: Any, places: Any, _: Any, bars: Any) -> Any:
+        made = geograd.Delaunay(points)
+        return [made.barycentric(places)[1]] if bars is None else made.barycentric_vjp(places, bars[0])
+
+    weights, corners = hosted(floats(points, places), [shape], value, records=shape, search=search)
+    return PlaceWeights(corners, weights)
+
+
 class BufferMeasure:
     """A measure of round offsets of a column on JAX's arrays, with first derivatives backwards."""
 

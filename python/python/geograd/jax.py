@@ -16,7 +16,7 @@ cards computes on the host. On an H200, 1 number in 300,000 of float32 and 1 in 
 to know how many vertices they have, ``capacity=`` says so, and the result is a :class:`PolygonBuffer`.
 
 A :class:`Mesh` has queries with derivatives by points, rays, solids, poses and vertices; ``cells``, ``buffer_area``,
-``buffer_perimeter`` and :class:`CurvePath` are those of :mod:`geograd`. The host computes them, with first derivatives backwards.
+``buffer_perimeter``, ``barycentric`` and :class:`CurvePath` are those of :mod:`geograd`. The host computes them, with first derivatives backwards.
 
 Losses: ``loss("giou", a, b)``, and by their names ``iou_loss``, ``giou_loss``, ``diou_loss``, ``ciou_loss``, ``eiou_loss``,
 ``probiou_loss``, ``kfiou_loss``, ``gwd_loss``, ``kld_loss``.
@@ -34,13 +34,13 @@ from geograd._function import Function, reduced
 from geograd._jax_columns import Clouds, Paths, Polygons, Polylines, Rings, contains, union_area
 from geograd._jax_mesh import Mesh
 from geograd._jax_overlays import PolygonBuffer, difference, intersection, minkowski_sum, no_fit_polygon, symmetric_difference, union
-from geograd._jax_plane import CellMeasures, CurvePath, buffer_area, buffer_perimeter, cells
+from geograd._jax_plane import CellMeasures, CurvePath, PlaceWeights, barycentric, buffer_area, buffer_perimeter, cells
 from geograd._jax_verbs import *  # noqa: F403
 from geograd._jax_verbs import __all__ as _VERBS, Verb
 
 __all__ = [
     "function", "loss", "iou_loss", "giou_loss", "diou_loss", "ciou_loss", "eiou_loss", "probiou_loss", "kfiou_loss", "gwd_loss",
-    "kld_loss", "CellMeasures", "Clouds", "CurvePath", "Mesh", "Paths", "PolygonBuffer", "Polygons", "Polylines", "Rings", "Verb", "buffer_area",
+    "kld_loss", "CellMeasures", "Clouds", "CurvePath", "Mesh", "Paths", "PlaceWeights", "PolygonBuffer", "Polygons", "Polylines", "Rings", "Verb", "barycentric", "buffer_area",
     "buffer_perimeter", "cells", "contains", "difference",
     "intersection", "minkowski_sum", "no_fit_polygon", "symmetric_difference", "union", "union_area", *_VERBS,
 ]

@@ -4,7 +4,7 @@
 verb of :mod:`geograd` is here by its name, with derivatives of any order, ``torch.func`` and ``torch.compile``, and with
 the forms :meth:`Verb.all_pairs`, ``row_max``, ``above``, ``sum``, ``mean`` and ``suppress``. :func:`function` does the same
 for a function of your own, :func:`check` checks a gradient. :class:`Polygons` have holes and parts; :class:`Rings`,
-:class:`Polylines` and :class:`Clouds` are paths, and :class:`Mesh` is one of triangles, :class:`Cloud` one of points with a tree; :func:`cells` measures Voronoi and power cells. Their areas, overlaps and distances have derivatives of any order, too.
+:class:`Polylines` and :class:`Clouds` are paths, and :class:`Mesh` is one of triangles, :class:`Cloud` one of points with a tree; :func:`cells` measures Voronoi and power cells, :func:`barycentric` interpolates between points. Their areas, overlaps and distances have derivatives of any order, too.
 
 Losses: ``Loss``, ``IoULoss``, ``GIoULoss``, ``DIoULoss``, ``CIoULoss``, ``EIoULoss``, ``ProbIoULoss``, ``KFIoULoss``,
 ``GWDLoss``, ``KLDLoss``.
@@ -32,6 +32,7 @@ from geograd._torch_cells import CellMeasures, cells
 from geograd._torch_cloud import Cloud
 from geograd._torch_curves import CurvePath
 from geograd._torch_mesh import Mesh
+from geograd._torch_places import PlaceWeights, barycentric
 from geograd._torch_polygons import (
     Clouds, Paths, Polygons, Polylines, Rings, buffer, buffer_area, buffer_perimeter, contains, difference, intersection, minkowski_sum, no_fit_polygon,
     symmetric_difference, union, union_area,
@@ -41,7 +42,7 @@ from geograd._torch_verbs import __all__ as _VERBS, Verb
 
 __all__ = [
     "check", "function", "Loss", "IoULoss", "GIoULoss", "DIoULoss", "CIoULoss", "EIoULoss", "ProbIoULoss", "KFIoULoss",
-    "GWDLoss", "KLDLoss", "CellMeasures", "Cloud", "Clouds", "CurvePath", "Mesh", "Paths", "Polygons", "Polylines", "Rings", "Verb", "buffer", "buffer_area", "buffer_perimeter", "cells", "contains",
+    "GWDLoss", "KLDLoss", "CellMeasures", "Cloud", "Clouds", "CurvePath", "Mesh", "Paths", "PlaceWeights", "Polygons", "Polylines", "Rings", "Verb", "barycentric", "buffer", "buffer_area", "buffer_perimeter", "cells", "contains",
     "difference", "intersection", "minkowski_sum", "no_fit_polygon", "symmetric_difference", "union", "union_area", *_VERBS,
 ]
 
