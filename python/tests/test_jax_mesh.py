@@ -173,3 +173,42 @@ def test_bad_input_is_named():
         mesh.distance_between(geograd.Mesh(VERTICES, FACES), np.zeros((1, 7)))
     with pytest.raises(Exception, match="vert|face"):
         geograd_jax.Mesh(VERTICES, [[0, 1, 200]])
+
+
+def second(f, x, v):
+    """Compares second derivatives of f by two arrays with differences of first ones."""
+    ways = DRAW.normal(0, 1, x.shape), DRAW.normal(0, 1, v.shape)
+
+    def along(x, v):
+        by = jax.grad(f, (0, 1))(x, v)
+        return sum((own * way).sum() for own, way in zip(by, ways))
+
+    slopes(along, x, v)
+    # Callbacks of compiled functions run outside of the fixture's setting: lowering alone needs none.
+    jax.jit(jax.grad(along)).lower(x, v)
+
+
+@pytest.mark.parametrize("verb", ["distance", "squared_distance", "signed_distance", "closest"])
+def test_distances_have_second_derivatives(verb):
+    mesh = geograd_jax.Mesh(VERTICES, FACES)
+    points = jnp.asarray(POINTS)
+    w = jnp.asarray(DRAW.normal(0, 1, (40, 3)) if verb == "closest" else WEIGHTS)
+    second(lambda x, v: (getattr(geograd_jax.Mesh(v, like=mesh), verb)(x) ** 2 * w).sum(), points, jnp.asarray(VERTICES))
+    f = lambda x: (getattr(mesh, verb)(x) ** 2).sum()
+    blocks = jax.vmap(jax.jacrev(jax.grad(f)))(points[:4, None])
+    assert np.isfinite(np.asarray(blocks)).all()
+
+
+def test_hits_have_second_derivatives_and_misses_none():
+    mesh = geograd_jax.Mesh(VERTICES, FACES)
+    starts = jnp.asarray(POINTS[:20] * 3)
+    targets = jnp.asarray(DRAW.uniform(-0.4, 0.4, (20, 3)))
+    ways = (targets - starts).at[::5].multiply(-1.0)
+    values, faces = mesh.rays(starts, ways)
+    assert (faces < 0).any() and (faces >= 0).any()
+
+    def f(x, v):
+        found, faces = geograd_jax.Mesh(v, like=mesh).rays(x, ways)
+        return jnp.where(faces < 0, 0.0, jnp.where(faces < 0, 1.0, found) ** 2).sum()
+
+    second(f, starts, jnp.asarray(VERTICES))

@@ -61,6 +61,8 @@ def test_weights_of_places_are_those_of_numpy_with_the_slopes_of_differences():
     assert (np.asarray(corners)[inside] == made.triangles[triangles[inside]]).all() and not np.asarray(corners)[~inside].any()
     w = DRAW.normal(0, 1, (25, 3))
     slopes(lambda p, q: (geograd_jax.barycentric(p, q).weights * w).sum(), points, places)
+    along = lambda p, q: (jax.grad(lambda p: (geograd_jax.barycentric(p, q).weights ** 2 * w).sum())(p) * points[::-1]).sum()
+    slopes(along, points, places)
     assert not np.asarray(geograd_jax.barycentric(np.array([[0.0, 0], [1, 1], [2, 2]]), places).weights).any()
     with pytest.raises(ValueError, match="places"):
         geograd_jax.barycentric(points, np.zeros((3, 3)))

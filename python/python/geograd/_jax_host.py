@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Sequence, Tuple
+from typing import Any, Callable, Optional, Sequence, Tuple
 
 import jax
 import jax.numpy as jnp
@@ -26,11 +26,13 @@ def hosted(
     *,
     records: Tuple[int, ...] = (0,),
     search: Callable[..., Any] = lambda *_: np.zeros(0),
+    again: Optional[Callable[..., Any]] = None,
 ) -> Tuple[Array, ...]:
     """Results of some shapes with first derivatives by arrays, and the record of the search for them.
 
     ``search`` gives whole numbers of the shape ``records``. ``value`` gives the list of results of them; with a list of their cotangents,
-    those of all arrays. Both get arrays of NumPy in float64.
+    those of all arrays. Both get arrays of NumPy in float64. ``again`` gives the first result in operations of JAX, given the record,
+    that result and the arrays: derivatives of derivatives are its own.
     """
     dtype = xs[0].dtype
     into = tuple(jax.ShapeDtypeStruct(x.shape, dtype) for x in xs)
@@ -53,14 +55,39 @@ def hosted(
         return jax.pure_callback(found, outs, *xs, vmap_method="sequential")
 
     def ahead(*xs: Array) -> Any:
-        made = forward(*xs)
-        return made, (made[-1], xs)
+        # Not the callback, which has no derivatives.
+        made = call(*xs)
+        return made, (made, xs)
+
+    def cotangents(record: Array, made: Array, bars: Any, xs: Any) -> Any:
+        return jax.pure_callback(back, into, record, bars, *xs, vmap_method="sequential")
 
     def backward(kept: Any, bars: Any) -> Any:
-        record, xs = kept
-        return jax.pure_callback(back, into, record, tuple(bars[:-1]), *xs, vmap_method="sequential")
+        made, xs = kept
+        own = cotangents if again is None else _differentiable(cotangents, again)
+        return own(made[-1], made[0], tuple(bars[:-1]), xs)
 
     call = jax.custom_vjp(forward)
     call.defvjp(ahead, backward)
     made: Tuple[Array, ...] = call(*xs)
     return made
+
+
+def _differentiable(cotangents: Callable[..., Any], again: Callable[..., Any]) -> Callable[..., Any]:
+    """Cotangents by a record, a result, its cotangents and arrays, with derivatives of their own."""
+
+    def ahead(record: Array, made: Array, bars: Any, xs: Any) -> Any:
+        return call(record, made, bars, xs), (record, made, bars, xs)
+
+    def backward(kept: Any, by: Any) -> Any:
+        record, made, bars, xs = kept
+
+        def pulled(bars: Any, xs: Any) -> Any:
+            return jax.vjp(lambda *xs: again(record, made, *xs), *xs)[1](bars[0])
+
+        by_bars, by_xs = jax.vjp(pulled, bars, xs)[1](by)
+        return np.zeros(record.shape, jax.dtypes.float0), jnp.zeros_like(made), by_bars, by_xs
+
+    call = jax.custom_vjp(cotangents)
+    call.defvjp(ahead, backward)
+    return call

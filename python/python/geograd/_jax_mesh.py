@@ -12,6 +12,7 @@ import geograd
 from geograd import _core
 from geograd._jax_host import floats, hosted
 from geograd._mesh import SOLIDS, energy_columns
+from geograd._record_formulas import nearest, parameters
 from geograd._shapes import CLASSES
 
 Array = Any
@@ -51,8 +52,8 @@ def _count(shape: Tuple[int, ...]) -> int:
 class Mesh:
     """A mesh whose vertices are an array of shape (V, 3): :class:`geograd.Mesh` in JAX.
 
-    Results have first derivatives backwards by the points, rays, solids or poses, and by the vertices; those of energies have second
-    ones, too. It is a tree with one leaf, the vertices, so ``jax.grad`` of a function of a mesh gives a mesh of cotangents. The library
+    Results have first derivatives backwards by the points, rays, solids or poses, and by the vertices; distances and closest points of
+    points, rays and energies have second ones, too. It is a tree with one leaf, the vertices, so ``jax.grad`` of a function of a mesh gives a mesh of cotangents. The library
     runs in a callback on the host, also under ``jit``; the tree over the faces follows the vertices from call to call. ``like`` is a mesh
     with the same faces whose tree is used.
 
@@ -131,8 +132,12 @@ class Mesh:
                 return core.closest(points, record, _rows(bar)) if kind == "closest" else core.distances(kind, points, record, bar.reshape(-1))
             return [core.closest(points, record) if kind == "closest" else core.distances(kind, points, record)]
 
+        def again(record: Any, made: Any, points: Any, vertices: Any) -> Any:
+            faces = jnp.asarray(tree.faces)[record[:, 0]]
+            return nearest(jnp, jax.lax.stop_gradient, kind, faces, record[:, 1], made, points, vertices).reshape(shape)
+
         search = lambda points, vertices: tree.at(vertices).search(_rows(points))
-        return hosted(xs, [shape], value, records=(_count(xs[0].shape[:-1]), 2), search=search)[0]
+        return hosted(xs, [shape], value, records=(_count(xs[0].shape[:-1]), 2), search=search, again=again)[0]
 
     def winding_number(self, points: Array) -> Array:
         """How often the mesh goes around each point. Derivatives are those of the border: zero for a closed mesh."""
@@ -159,8 +164,12 @@ class Mesh:
             # A miss is infinitely far whatever moves; a loss may divide by that.
             return tree.at(vertices).parameters(*rays, faces, np.where(faces < 0, 0.0, bars[0].reshape(-1)))
 
+        def again(faces: Any, _: Any, starts: Any, directions: Any, vertices: Any) -> Any:
+            corners = jnp.asarray(tree.faces)[jnp.maximum(faces, 0)]
+            return parameters(jnp, corners, faces < 0, starts, directions, vertices).reshape(shape)
+
         search = lambda starts, directions, vertices: tree.at(vertices).hit_faces(_rows(starts), _rows(directions))
-        values, faces = hosted(xs, [shape], value, records=(_count(shape),), search=search)
+        values, faces = hosted(xs, [shape], value, records=(_count(shape),), search=search, again=again)
         return values, faces.reshape(shape)
 
     def distance_to(self, kind: str, solids: Array) -> Array:

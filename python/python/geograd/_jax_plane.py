@@ -11,6 +11,7 @@ import numpy as np
 import geograd
 from geograd._jax_columns import Polygons, Polylines
 from geograd._jax_host import floats, hosted
+from geograd._record_formulas import weights
 
 Array = Any
 
@@ -60,8 +61,8 @@ class PlaceWeights(NamedTuple):
 def barycentric(points: Array, places: Array) -> PlaceWeights:
     """Points around places in the Delaunay triangulation of points, and their weights: :meth:`geograd.Delaunay.barycentric` in JAX.
 
-    ``points`` has the shape (N, 2), ``places`` (M, 2). Weights have first derivatives backwards by both. The mean of numbers at
-    the points by these weights is their linear interpolation.
+    ``points`` has the shape (N, 2), ``places`` (M, 2). Weights have derivatives of any order backwards by both. The mean of
+    numbers at the points by these weights is their linear interpolation.
 
     >>> heights = jnp.array([10.0, 20.0, 30.0])
     >>> corners, weights = geograd.jax.barycentric(jnp.array([[0.0, 0], [4, 0], [0, 4]]), jnp.array([[1.0, 2]]))
@@ -82,8 +83,12 @@ def barycentric(points: Array, places: Array) -> PlaceWeights:
         made = geograd.Delaunay(points)
         return [made.barycentric(places)[1]] if bars is None else made.barycentric_vjp(places, bars[0])
 
-    weights, corners = hosted(floats(points, places), [shape], value, records=shape, search=search)
-    return PlaceWeights(corners, weights)
+    def again(corners: Any, made: Any, points: Any, places: Any) -> Any:
+        # Outside of all triangles all corners are the same.
+        return weights(jnp, corners, corners[:, 0] != corners[:, 1], points, places)
+
+    found, corners = hosted(floats(points, places), [shape], value, records=shape, search=search, again=again)
+    return PlaceWeights(corners, found)
 
 
 class BufferMeasure:

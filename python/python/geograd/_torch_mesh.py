@@ -13,7 +13,8 @@ from geograd import _core
 from geograd._mesh import SOLIDS, energy_columns
 from geograd._shapes import CLASSES
 from geograd._torch_host import checked
-from geograd._torch_mesh_formulas import differentiated, nearest, parameters, swept
+from geograd._record_formulas import nearest, parameters
+from geograd._torch_mesh_formulas import differentiated, swept
 
 
 def _columns(name: str, tensor: Any, width: int) -> torch.Tensor:
@@ -40,19 +41,20 @@ class _Nearest(torch.autograd.Function):
     def forward(ctx: Any, core: Any, kind: str, points: torch.Tensor, vertices: torch.Tensor) -> torch.Tensor:
         rows = _array("points", points)
         found = core.search(rows)
-        ctx.core, ctx.kind, ctx.found, ctx.rows, ctx.signs = core, kind, found, rows, None
+        ctx.core, ctx.kind, ctx.found, ctx.rows, ctx.values = core, kind, found, rows, None
         ctx.save_for_backward(points, vertices)
         if kind == "closest":
             return _like(core.closest(rows, found), points)
         values = torch.from_numpy(core.distances(kind, rows, found))
-        ctx.signs = values.sign()
+        ctx.values = values
         return values.to(points.dtype).reshape(points.shape[:-1])
 
     @staticmethod
     def backward(ctx: Any, upstream: torch.Tensor) -> Any:
         points, vertices = ctx.saved_tensors
         if torch.is_grad_enabled():
-            again = partial(nearest, ctx.kind, ctx.core.faces, ctx.found, ctx.signs)
+            faces, code = (torch.from_numpy(own) for own in (ctx.core.faces[ctx.found[:, 0]], ctx.found[:, 1]))
+            again = partial(nearest, torch, torch.Tensor.detach, ctx.kind, faces, code, ctx.values)
             return None, None, *differentiated(again, (points, vertices), upstream)
         bars = np.ascontiguousarray(upstream.detach().numpy(), np.float64)
         if ctx.kind == "closest":
@@ -84,7 +86,8 @@ class _Rays(torch.autograd.Function):
             # A miss is infinitely far whatever moves; a loss may divide by that.
             hit = torch.from_numpy(ctx.faces >= 0).reshape(upstream.shape)
             upstream = torch.where(hit, upstream, torch.zeros_like(upstream))
-            again = partial(parameters, ctx.core.faces, ctx.faces)
+            faces = torch.from_numpy(ctx.core.faces[np.maximum(ctx.faces, 0)])
+            again = partial(parameters, torch, faces, ~hit.reshape(-1))
             return None, *differentiated(again, ctx.saved_tensors, upstream), None
         bars = np.ascontiguousarray(upstream.detach().numpy().reshape(-1), np.float64)
         # A miss is infinitely far whatever moves; a loss may divide by that.

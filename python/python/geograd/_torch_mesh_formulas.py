@@ -1,4 +1,4 @@
-"""What queries of a mesh compute along the records of their searches, in operations of torch: derivatives of any order."""
+"""Derivatives of derivatives along the records of searches, in operations of torch."""
 
 from __future__ import annotations
 
@@ -6,6 +6,8 @@ from typing import Any, Callable, Sequence
 
 import numpy as np
 import torch
+
+from geograd._record_formulas import dot, length, over
 
 Tensors = Sequence[torch.Tensor]
 
@@ -20,64 +22,6 @@ def differentiated(value: Callable[..., torch.Tensor], leaves: Tensors, upstream
         for k, bar in zip(wanted, torch.autograd.grad(computed, of, upstream.double(), create_graph=True, allow_unused=True)):
             out[k] = bar
     return out
-
-
-def _dot(a: torch.Tensor, b: torch.Tensor) -> torch.Tensor:
-    return (a * b).sum(-1, keepdim=True)
-
-
-def _over(a: torch.Tensor, b: torch.Tensor) -> torch.Tensor:
-    """A quotient, zero where the divisor is."""
-    none = b == 0.0
-    return torch.where(none, torch.zeros_like(a), a / torch.where(none, torch.ones_like(b), b))
-
-
-def _length(v: torch.Tensor) -> torch.Tensor:
-    """Lengths; of zero with derivative zero."""
-    square = _dot(v, v)
-    none = square == 0.0
-    return torch.where(none, torch.zeros_like(square), torch.where(none, torch.ones_like(square), square).sqrt())
-
-
-def nearest(kind: str, faces: Any, found: Any, signs: Any, points: torch.Tensor, vertices: torch.Tensor) -> torch.Tensor:
-    """Distances of points with signs, or their closest points, along records: a face and a feature each."""
-    points = points.reshape(-1, 3)
-    corners = vertices[torch.from_numpy(faces[found[:, 0]])]
-    a, b, c = corners.unbind(1)
-    code = torch.from_numpy(found[:, 1])
-    each = torch.arange(len(code))
-    edge = (code - 4).clamp(min=0)
-    start, end = corners[each, edge // 3], corners[each, edge % 3]
-    along = end - start
-    on_edge = start + along * _over(_dot(points - start, along), _dot(along, along))
-    at_corner = corners[each, (code - 1).clamp(0, 2)]
-    normal = torch.linalg.cross(b - a, c - a)
-    inside, is_corner = (code == 0)[:, None], (code <= 3)[:, None]
-    border = torch.where(is_corner, at_corner, on_edge)
-    if kind == "closest":
-        flat = points - normal * _over(_dot(points - a, normal), _dot(normal, normal))
-        return torch.where(inside, flat, border)
-    height = _over(_dot(points - a, normal), _length(normal))
-    if kind == "squared_distance":
-        return torch.where(inside, height * height, _dot(points - border, points - border)).squeeze(-1)
-    length = _length(points - border)
-    if kind == "distance":
-        return torch.where(inside, height * height.detach().sign(), length).squeeze(-1)
-    # On a face of a closed mesh the normal points outward.
-    side = (height.detach() * signs[:, None]).sign()
-    if kind == "signed_distance":
-        side = torch.where(side == 0.0, torch.ones_like(side), side)
-    return torch.where(inside, height * side, length * signs[:, None]).squeeze(-1)
-
-
-def parameters(faces: Any, hits: Any, starts: torch.Tensor, directions: torch.Tensor, vertices: torch.Tensor) -> torch.Tensor:
-    """The parameters at which rays meet faces; zero, without derivatives, for a miss."""
-    missed = torch.from_numpy(hits < 0)[:, None]
-    starts, directions = starts.reshape(-1, 3), directions.reshape(-1, 3)
-    a, b, c = vertices[torch.from_numpy(faces[np.maximum(hits, 0)])].unbind(1)
-    normal = torch.linalg.cross(b - a, c - a)
-    step = _over(_dot(a - starts, normal), _dot(directions, normal))
-    return torch.where(missed, torch.zeros_like(step), step).squeeze(-1)
 
 
 def border(faces: Any) -> tuple[Any, Any, Any]:
@@ -102,11 +46,11 @@ def swept(faces: Any, upstream: torch.Tensor, points: torch.Tensor, vertices: to
     a, b = (seen[torch.from_numpy(own)] - at for own in (start, end))
     scale = upstream.reshape(-1, 1, 1) * torch.from_numpy(times)[None, :, None] / (4.0 * np.pi)
     normal = torch.linalg.cross(b, a) * scale
-    x, y, cosine = _length(a), _length(b), _dot(a, b)
+    x, y, cosine = length(torch, a), length(torch, b), dot(a, b)
     # Both are equal; one of them has no difference.
     crossed = torch.linalg.cross(a, b)
-    divisor = torch.where(cosine < 0.0, _over(_dot(crossed, crossed), x * y - cosine), x * y + cosine)
-    by_start, by_end = _over(normal, x * divisor), _over(normal, y * divisor)
+    divisor = torch.where(cosine < 0.0, over(torch, dot(crossed, crossed), x * y - cosine), x * y + cosine)
+    by_start, by_end = over(torch, normal, x * divisor), over(torch, normal, y * divisor)
     by_points = -(by_start + by_end).sum(1).reshape(points.shape)
     zero = torch.zeros_like(seen)
     by_vertices = zero.index_add(0, torch.from_numpy(start), by_start.sum(0)).index_add(0, torch.from_numpy(end), by_end.sum(0))

@@ -9,6 +9,7 @@ import numpy as np
 import torch
 
 import geograd
+from geograd._record_formulas import weights
 from geograd._torch_host import array
 from geograd._torch_mesh_formulas import differentiated
 
@@ -22,36 +23,23 @@ class PlaceWeights(NamedTuple):
     weights: torch.Tensor
 
 
-def _cross(u: torch.Tensor, v: torch.Tensor) -> torch.Tensor:
-    return u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0]
-
-
-def _weights(corners: torch.Tensor, inside: torch.Tensor, points: torch.Tensor, places: torch.Tensor) -> torch.Tensor:
-    """The weights, given the triangles; zeros outside."""
-    a, b, c = points[corners].unbind(1)
-    whole = torch.where(inside, _cross(b - a, c - a), torch.ones_like(places[:, 0]))
-    of_b, of_c = _cross(places - a, c - a) / whole, _cross(b - a, places - a) / whole
-    found = torch.stack([1.0 - of_b - of_c, of_b, of_c], -1)
-    return torch.where(inside[:, None], found, torch.zeros_like(found))
-
-
 class _Weighed(torch.autograd.Function):
     @staticmethod
     def forward(ctx: Any, made: Any, points: torch.Tensor, places: torch.Tensor) -> Any:
         ctx.made, ctx.rows = made, array("places", places, "triangulations")
-        triangles, weights = made.barycentric(ctx.rows)
+        triangles, found = made.barycentric(ctx.rows)
         ctx.inside = torch.from_numpy(triangles >= 0)
         known = made.triangles if len(made) else np.zeros((1, 3), np.int64)
         ctx.corners = torch.from_numpy(np.where(triangles[:, None] >= 0, known[triangles], 0).astype(np.int64))
         ctx.save_for_backward(points, places)
         ctx.mark_non_differentiable(ctx.corners)
-        return ctx.corners, torch.from_numpy(weights).to(places.dtype)
+        return ctx.corners, torch.from_numpy(found).to(places.dtype)
 
     @staticmethod
     def backward(ctx: Any, _: Any, upstream: torch.Tensor) -> Any:
         points, places = ctx.saved_tensors
         if torch.is_grad_enabled():
-            again = partial(_weights, ctx.corners, ctx.inside)
+            again = partial(weights, torch, ctx.corners, ctx.inside)
             return None, *differentiated(again, (points, places), upstream)
         bars = np.ascontiguousarray(upstream.numpy(), np.float64)
         by_points, by_places = ctx.made.barycentric_vjp(ctx.rows, bars)

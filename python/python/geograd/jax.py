@@ -16,7 +16,8 @@ cards computes on the host. On an H200, 1 number in 300,000 of float32 and 1 in 
 to know how many vertices they have, ``capacity=`` says so, and the result is a :class:`PolygonBuffer`.
 
 A :class:`Mesh` has queries with derivatives by points, rays, solids, poses and vertices; ``cells``, ``buffer_area``,
-``buffer_perimeter``, ``barycentric`` and :class:`CurvePath` are those of :mod:`geograd`. The host computes them, with first derivatives backwards.
+``buffer_perimeter``, ``barycentric`` and :class:`CurvePath` are those of :mod:`geograd`. The host computes them, with first derivatives backwards; distances, closest
+points and rays of a mesh, its energies, and ``barycentric`` have further ones (``jacrev`` of ``grad``).
 
 Losses: ``loss("giou", a, b)``, and by their names ``iou_loss``, ``giou_loss``, ``diou_loss``, ``ciou_loss``, ``eiou_loss``,
 ``probiou_loss``, ``kfiou_loss``, ``gwd_loss``, ``kld_loss``.
