@@ -25,6 +25,7 @@ struct Side(u16);
 impl Side {
     /// Returns the side of a face that begins at one of its corners.
     fn new(face: usize, corner: usize) -> Self {
+        debug_assert!(face < 1 << 14, "a polytope of few corners");
         Side((4 * face + corner) as u16)
     }
     /// Returns the numbers of the face and of the corner in it.
@@ -47,7 +48,7 @@ const ROOM: [usize; 2] = [16, 20];
 /// The polytope so far.
 #[derive(Debug)]
 pub(super) struct Polytope<D> {
-    /// The corners, of which there are fewer than 2000.
+    /// The corners, at most 150: with all that are gone, faces are fewer than 2¹⁴.
     pub corners: Vec<D>,
     /// All faces, also those that are gone.
     pub faces: Vec<Face>,

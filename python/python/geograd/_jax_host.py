@@ -1,4 +1,4 @@
-"""Results that the library computes on the host, as functions of JAX's arrays with first derivatives backwards."""
+"""Results that the library computes on the host, as functions of JAX's arrays with derivatives backwards."""
 
 from __future__ import annotations
 

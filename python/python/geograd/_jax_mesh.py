@@ -52,8 +52,8 @@ def _count(shape: Tuple[int, ...]) -> int:
 class Mesh:
     """A mesh whose vertices are an array of shape (V, 3): :class:`geograd.Mesh` in JAX.
 
-    Results have first derivatives backwards by the points, rays, solids or poses, and by the vertices; distances and closest points of
-    points, rays and energies have second ones, too. It is a tree with one leaf, the vertices, so ``jax.grad`` of a function of a mesh gives a mesh of cotangents. The library
+    Results have first derivatives backwards by the points, rays, solids or poses, and by the vertices. Distances from points, closest
+    points, hits of rays and energies have second ones, too. It is a tree with one leaf, the vertices, so ``jax.grad`` of a function of a mesh gives a mesh of cotangents. The library
     runs in a callback on the host, also under ``jit``; the tree over the faces follows the vertices from call to call. ``like`` is a mesh
     with the same faces whose tree is used.
 

@@ -1,4 +1,4 @@
-"""What searches compute along their records, in operations of torch or of JAX: derivatives of any order.
+"""Results of searches along their records, in operations of torch or of JAX: derivatives of any order.
 
 ``xp`` is ``torch`` or ``jax.numpy``, and ``fixed`` returns an array without its derivatives.
 """
@@ -42,20 +42,19 @@ def nearest(xp: Any, fixed: Fixed, kind: str, faces: Any, code: Any, values: Any
     normal = xp.linalg.cross(b - a, c - a)
     inside, is_corner = (code == 0)[:, None], (code <= 3)[:, None]
     border = xp.where(is_corner, at_corner, on_edge)
+    # Of length one: the square of a small face's normal has no digits in single precision.
+    normal = over(xp, normal, length(xp, normal))
+    height = dot(points - a, normal)
     if kind == "closest":
-        flat = points - normal * over(xp, dot(points - a, normal), dot(normal, normal))
-        return xp.where(inside, flat, border)
-    height = over(xp, dot(points - a, normal), length(xp, normal))
+        return xp.where(inside, points - normal * height, border)
     if kind == "squared_distance":
         return xp.where(inside, height * height, dot(points - border, points - border))[:, 0]
     far = length(xp, points - border)
     if kind == "distance":
         return xp.where(inside, height * xp.sign(fixed(height)), far)[:, 0]
-    # On a face of a closed mesh the normal points outward.
     signs = xp.sign(fixed(values.reshape(-1, 1)))
-    side = xp.sign(fixed(height) * signs)
-    if kind == "signed_distance":
-        side = xp.where(side == 0.0, xp.ones_like(side), side)
+    # On a face of a closed mesh the normal points outward.
+    side = xp.ones_like(height) if kind == "signed_distance" else xp.sign(fixed(height) * signs)
     return xp.where(inside, height * side, far * signs)[:, 0]
 
 
@@ -64,7 +63,10 @@ def parameters(xp: Any, faces: Any, missed: Any, starts: Any, directions: Any, v
     starts, directions, corners = starts.reshape(-1, 3), directions.reshape(-1, 3), vertices[faces]
     a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
     normal = xp.linalg.cross(b - a, c - a)
-    step = over(xp, dot(a - starts, normal), dot(directions, normal))
+    # Quotients of misses may be infinite, and their derivatives no numbers.
+    fall = dot(directions, normal)
+    fall = xp.where(missed[:, None], xp.ones_like(fall), fall)
+    step = over(xp, dot(a - starts, normal), fall)
     return xp.where(missed[:, None], xp.zeros_like(step), step)[:, 0]
 
 
@@ -74,9 +76,13 @@ def _cross(u: Any, v: Any) -> Any:
 
 def weights(xp: Any, corners: Any, inside: Any, points: Any, places: Any) -> Any:
     """The weights of the corners of triangles around places; zeros outside."""
+    if len(points) == 0:
+        return xp.stack([places[:, 0] * 0.0] * 3, -1)
     around = points[corners]
     a, b, c = around[:, 0], around[:, 1], around[:, 2]
-    whole = xp.where(inside, _cross(b - a, c - a), xp.ones_like(places[:, 0]))
-    of_b, of_c = _cross(places - a, c - a) / whole, _cross(b - a, places - a) / whole
+    # Places outside need not be finite.
+    places = xp.where(inside[:, None], places, a)
+    whole = _cross(b - a, c - a)
+    of_b, of_c = over(xp, _cross(places - a, c - a), whole), over(xp, _cross(b - a, places - a), whole)
     found = xp.stack([1.0 - of_b - of_c, of_b, of_c], -1)
     return xp.where(inside[:, None], found, xp.zeros_like(found))

@@ -4,7 +4,7 @@
 verb of :mod:`geograd` is here by its name, with derivatives of any order, ``torch.func`` and ``torch.compile``, and with
 the forms :meth:`Verb.all_pairs`, ``row_max``, ``above``, ``sum``, ``mean`` and ``suppress``. :func:`function` does the same
 for a function of your own, :func:`check` checks a gradient. :class:`Polygons` have holes and parts; :class:`Rings`,
-:class:`Polylines` and :class:`Clouds` are paths, and :class:`Mesh` is one of triangles, :class:`Cloud` one of points with a tree; :func:`cells` measures Voronoi and power cells, :func:`barycentric` interpolates between points. Their areas, overlaps and distances have derivatives of any order, too.
+:class:`Polylines` and :class:`Clouds` are paths, and :class:`Mesh` is one of triangles, :class:`Cloud` one of points with a tree; :func:`barycentric` interpolates between points, :func:`cells` measures Voronoi and power cells. Their areas, overlaps and distances have derivatives of any order, too.
 
 Losses: ``Loss``, ``IoULoss``, ``GIoULoss``, ``DIoULoss``, ``CIoULoss``, ``EIoULoss``, ``ProbIoULoss``, ``KFIoULoss``,
 ``GWDLoss``, ``KLDLoss``.

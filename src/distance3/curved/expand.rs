@@ -18,7 +18,7 @@ pub struct Exit {
 pub struct Exits {
     /// The directions, the best first.
     pub all: Vec<Exit>,
-    /// The corners of the polytope's lowest face, if it has a volume.
+    /// The corners of the polytope's lowest face, if nothing is clearly above it.
     pub face: Option<[CodedDifference; 3]>,
 }
 
@@ -124,21 +124,25 @@ pub fn exits(lowest: &dyn Fn(Vec3<f64>) -> CodedDifference) -> Exits {
     let mut polytope = Polytope::new(1e-15 * size, SLIVER);
     // The last corner is below the plane of the others.
     polytope.begin(corners, -1.0);
-    let mut last = None;
+    let (mut last, mut is_whole) = (None, true);
     while polytope.corners.len() <= MOST {
         let Some((first, height)) = polytope.lowest() else {
             break;
         };
         let face = polytope.faces[first];
         let corners = polytope.corners_of(&face);
-        last = Some(corners);
         let found = probe.low(-face.normal);
         let limit = CLOSE * probe.best.depth.abs().max(1e-3 * size);
         let gap = face.normal.dot(found.way) - height;
         let close = gap <= limit || probe.best.depth - height <= limit;
         let known = corners.iter().any(|corner| corner.way == found.way);
-        if close || known || !polytope.extend(first, found) {
+        if close || known {
+            last = is_whole.then_some(corners);
             break;
+        }
+        if !polytope.extend(first, found) {
+            polytope.open[first] = f64::INFINITY;
+            is_whole = false;
         }
     }
     let mut faces = polytope.faces;

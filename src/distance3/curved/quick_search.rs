@@ -3,8 +3,8 @@
 //! An iteration by supports says after a few steps which pieces are near. Newton's step on these converges by the square;
 //! where it does not, the iteration goes on. The same proof as of other searches decides: the gap of the supports along
 //! the normal is the distance of two points of the solids. Solids that are apart have one least distance, so that it does
-//! not matter how its place was guessed. Of solids that overlap the expansion bounds how deep they are along other
-//! directions, and directions beside the touch and around their axes are tried as in the full search.
+//! not matter how its place was guessed. Solids that overlap have other directions, too: an expansion bounds their depth,
+//! and directions beside the touch and around the axes are tried, as in the full search.
 use super::super::gjk::{CodedDifference, gap_until, of_triangle};
 use super::super::mix::Mix;
 use super::expand::exits;

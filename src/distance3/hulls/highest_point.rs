@@ -9,7 +9,7 @@ const LANES: usize = 4;
 /// The coordinates of some points, one list per axis.
 type Group = [[f64; LANES]; 3];
 
-/// The columns of several lists of points.
+/// The columns of one or two lists of points.
 #[derive(Debug, Default)]
 pub(in crate::distance3) struct PointGroups {
     groups: Vec<Group>,
@@ -162,7 +162,7 @@ impl PointColumns<'_> {
             }
         }
     }
-    /// Returns the middle of all points.
+    /// Returns about the middle of all points: the last group repeats the first one.
     pub fn middle(&self) -> Vec3<f64> {
         let mut sums = [[0.0; LANES]; 3];
         for group in self.groups {

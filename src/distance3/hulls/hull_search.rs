@@ -1,7 +1,7 @@
 //! The search for the features of two hulls that decide about their relation.
 use super::super::gjk::{CornerDifference, Gap, gap};
 use super::super::mix::Mix;
-use super::body::{Body, across};
+use super::body::{BEYOND, Body, across};
 use super::expansion;
 use super::highest_point::{PointColumns, PointGroups};
 use super::hull_record::{FeaturePair, HullFeatures, HullRecord, around, spanning};
@@ -181,6 +181,11 @@ impl Nearest {
     fn corners(&self) -> &[usize] {
         &self.corners[..self.count]
     }
+    /// Returns `true` if all of them are no lower than a height along a direction.
+    fn is_above(&self, columns: &PointColumns<'_>, (way, least): (Vec3<f64>, f64)) -> bool {
+        let mut corners = self.corners().iter();
+        corners.all(|&k| way.dot(columns.point(k)) >= least)
+    }
     /// Returns the least weight.
     fn least(&self) -> f64 {
         self.weights[..self.count]
@@ -196,12 +201,12 @@ fn few(
     seen: &Gap<CornerDifference>,
     slack: f64,
 ) -> Option<HullFeatures> {
+    // A hundredth of the error that a distance may have, relative to the size.
     const REACHED: f64 = 1e-12;
     let length = long(seen.way);
     let way = seen.way * (1.0 / length);
     // A short vector has few digits.
-    let digits = DIGITS / length;
-    let low = LOW.max(4.0 * slack).max(digits);
+    let low = LOW.max(4.0 * slack).max(DIGITS / length);
     let mut mixes = [Mix::default(); 2];
     for (corner, weight) in seen.weighted() {
         mixes[0].add(corner.a, weight);
@@ -213,7 +218,7 @@ fn few(
     let deep = (-way, -way.dot(b.point(seen.low.b)) - low);
     let level = [a.count_above(high.0, high.1), b.count_above(deep.0, deep.1)];
     let least = way.dot(seen.low.way);
-    let is_reached = |distance: f64| (distance - least).abs() <= REACHED.max(digits);
+    let is_reached = |distance: f64| (distance - least).abs() <= REACHED;
     if level != [of_a.count, of_b.count] {
         let (distance, features) = match (level[0], level[1]) {
             (4.., 1) => {
@@ -286,22 +291,23 @@ fn few(
         }
         _ => return None,
     };
-    // Sides and ends of the features are farther by more than roundings, of `f64` in every format: corners that are level
-    // within those of a format have been counted.
+    // Roundings are those of `f64` in every format: corners that are level within those of the format have been counted.
     let weight = of_a.least().min(of_b.least());
     let alone = is_aside(weight * weight * aside, distance);
-    (alone && is_reached(distance)).then_some(features)
+    let level = of_a.is_above(a, high) && of_b.is_above(b, deep);
+    (alone && level && is_reached(distance)).then_some(features)
 }
 
 /// Returns `true` if a point at a distance from another feature is nearer to it than to what is beside its foot, given the
 /// square of how far that is.
 fn is_aside(square: f64, distance: f64) -> bool {
+    // A difference of distances that is none.
     const GAP: f64 = TIED * f64::EPSILON;
     square > 4.0 * GAP * (distance + GAP)
 }
 
-/// Returns three corners of the face of more than three that is the highest along a direction, over which a point is, and
-/// the height of the point; `None` near the border of the face. Corners up to a slack below a height are those of the face.
+/// Returns three corners of the highest face along a direction, over which a point is, and the point's height. The face has
+/// all corners that are no lower than a height, up to a slack; `None` if they are not in a plane, and near its border.
 fn wide_face(
     columns: &PointColumns<'_>,
     (way, least): (Vec3<f64>, f64),
@@ -321,7 +327,8 @@ fn wide_face(
     let inside = |k: usize| {
         let (from, to) = (points[ring[k]], points[ring[(k + 1) % ring.len()]]);
         let side = normal.dot((to - from).cross(point - from));
-        side > 0.0 && is_aside(side * side / (to - from).length_squared(), distance)
+        let flat = normal.dot(from - p).abs() <= BEYOND;
+        flat && side > 0.0 && is_aside(side * side / (to - from).length_squared(), distance)
     };
     (0..ring.len()).all(inside).then_some((face, distance))
 }

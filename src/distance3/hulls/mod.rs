@@ -6,7 +6,7 @@
 //! order exact predicates decide. The replay evaluates the distance of these features, with first and second derivatives
 //! by pose and by vertices.
 //!
-//! Features that are equally near, within a few roundings of the size, share the derivative and the point equally: for
+//! Features that are equally near share the derivative and the point equally, corners up to a few roundings of the size: for
 //! parallel faces all corners of their overlap, crossings of edges included. Of more than sixteen the first sixteen
 //! do. Planes that are equally deep share the derivative; direction and points are those of the first. Of repeated
 //! vertices the first has the derivative, which is one of those between the one-sided ones. In a gap that is mostly
