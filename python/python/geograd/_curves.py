@@ -314,6 +314,11 @@ class Delaunay:
         """
         return self._core.locate(_points(places, "places"))
 
+    def _corners(self, triangles):
+        """The points of triangles by their numbers, of shape (M, 3): zeros for -1."""
+        known = self.triangles if len(self) else np.zeros((1, 3), np.int64)
+        return np.where(triangles[:, None] >= 0, known[triangles], 0).astype(np.int64)
+
     def barycentric(self, places):
         """The triangle that contains each place of shape (M, 2), as :meth:`locate`, and the weights of its corners, of shape (M, 3).
 

@@ -75,9 +75,7 @@ def barycentric(points: Array, places: Array) -> PlaceWeights:
 
     def search(points: Any, places: Any) -> Any:
         made = geograd.Delaunay(points)
-        found = made.locate(places)
-        known = made.triangles if len(made) else np.zeros((1, 3), np.int64)
-        return np.where(found[:, None] >= 0, known[found], 0)
+        return made._corners(made.locate(places))
 
     def value(points: Any, places: Any, _: Any, bars: Any) -> Any:
         made = geograd.Delaunay(points)

@@ -42,7 +42,7 @@ def nearest(xp: Any, fixed: Fixed, kind: str, faces: Any, code: Any, values: Any
     normal = xp.linalg.cross(b - a, c - a)
     inside, is_corner = (code == 0)[:, None], (code <= 3)[:, None]
     border = xp.where(is_corner, at_corner, on_edge)
-    # Of length one: the square of a small face's normal has no digits in single precision.
+    # The square of a small face's normal has no digits in single precision, that of one with length one has.
     normal = over(xp, normal, length(xp, normal))
     height = dot(points - a, normal)
     if kind == "closest":

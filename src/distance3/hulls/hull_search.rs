@@ -85,7 +85,7 @@ fn nearest_points([a, b]: &[PointColumns<'_>; 2]) -> Gap<CornerDifference> {
 /// with this rounding, given their columns and a function that returns their corners.
 pub(super) fn search(
     pair: &HullPair,
-    corners: impl FnOnce() -> Option<[Vec<Vec3<f64>>; 2]>,
+    corners: impl FnOnce() -> [Vec<Vec3<f64>>; 2],
     rounding: f64,
 ) -> HullRecord {
     let columns = pair.columns();
@@ -100,10 +100,7 @@ pub(super) fn search(
     {
         return HullRecord::new(&features, true);
     }
-    match corners() {
-        Some(corners) => search_all(pair, &seen, corners, rounding),
-        None => HullRecord::new(&[], false),
-    }
+    search_all(pair, &seen, corners(), rounding)
 }
 
 /// Returns what [`search`] does where the nearest corners do not decide.

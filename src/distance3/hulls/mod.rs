@@ -196,9 +196,14 @@ fn number<S: Scalar>(corners: &impl CornerList<S>, k: usize) -> Vec3<f64> {
     Vec3::new(x, y, z)
 }
 
+/// Returns the corners as plain numbers, exactly; NaN of another format.
+fn all_numbers<S: Scalar>(corners: &impl CornerList<S>) -> Vec<Vec3<f64>> {
+    (0..corners.count()).map(|k| number(corners, k)).collect()
+}
+
 /// Returns the corners as plain numbers, exactly; `None` where one is not finite, or of another format.
 pub(super) fn numbers<S: Scalar>(corners: &impl CornerList<S>) -> Option<Vec<Vec3<f64>>> {
-    let all: Vec<_> = (0..corners.count()).map(|k| number(corners, k)).collect();
+    let all = all_numbers(corners);
     all.iter().all(|point| point.is_finite()).then_some(all)
 }
 
@@ -221,7 +226,7 @@ where
     let record = match pair {
         Some(pair) => hull_search::search(
             &pair,
-            || Some([numbers(&of_a)?, numbers(&of_b)?]),
+            || [all_numbers(&of_a), all_numbers(&of_b)],
             S::format().epsilon(),
         ),
         None => HullRecord::new(&[], false),
