@@ -104,7 +104,9 @@ pub mod __private {
     pub use crate::kernels::call::recording::Call;
     pub use crate::kernels::call::search::Searches;
     pub use crate::kernels::row::declares::argument;
-    pub use crate::kernels::row::item::layout::{Item, Leaf, Target, leaf, target};
+    pub use crate::kernels::row::item::layout::{
+        Item, Leaf, Target, leaf, shape_of_row, shape_to_row, target,
+    };
     pub use crate::kernels::row::op::{
         Declared, Declares, Derivative, Effect, Extremes, Finite, Hvp, Invariance, Jacobian, Jumps,
         Jvp, LowerBound, Motion, Op, Range, ValueGrad, Vjp,

@@ -141,9 +141,12 @@ impl<P: Fixed, const N: usize> Fixed for [P; N] {
     }
     #[inline(always)]
     fn store(self, to: &mut [Self::Scalar]) {
-        let mut to = &mut to[..Self::LEN];
-        for shape in self {
-            store(shape, &mut to);
+        // By reference: an iterator over the array itself copies it.
+        for (shape, own) in self
+            .iter()
+            .zip(to[..Self::LEN].chunks_exact_mut(P::LEN.max(1)))
+        {
+            shape.store(own);
         }
     }
     #[inline(always)]

@@ -5,7 +5,7 @@ use crate::ad::program::record::record_with_codes;
 use crate::ad::program::recorded::Recorded;
 use crate::kernels::row::decision::HintedSearch;
 use crate::kernels::row::derivation::{DerivativeStep, Mode, Order, Replays};
-use crate::kernels::row::item::{Item, by_kind, by_shape, get, width};
+use crate::kernels::row::item::{Item, by_kind, by_shape, item_of, width};
 #[cfg(feature = "check")]
 use crate::kernels::row::once::known;
 use crate::kernels::row::straight_line::by_reverse;
@@ -368,7 +368,7 @@ impl DerivedBlocks {
 
 /// Returns the input of a search, with which an item's numbers begin.
 fn input<R: Item>(numbers: &[R::Scalar]) -> R {
-    get::<R>(&by_kind::<R>(&numbers[..width::<R>()]))
+    item_of(numbers)
 }
 
 fn codes<R: Item>(numbers: &[R::Scalar]) -> Vec<u32> {

@@ -11,34 +11,46 @@ use crate::kernels::call::recording::{self, Body, Call, Recording};
 use crate::kernels::call::replayed::SearchCode;
 use crate::kernels::call::searched::{AT_A_TIME, SearchedItem, constant};
 pub use crate::kernels::row::decision::{HintedSearch, Search};
-use crate::kernels::row::item::{Item, by_kind, by_shape, get, leaves_of, width, widths};
+use crate::kernels::row::item::{Item, item_of, leaves_of, width, widths};
 use crate::kernels::row::once::known;
 use crate::kernels::row::op::{Hvp, Jacobian, Jvp, ValueGrad, Vjp};
 use crate::{Fixed, Jet, Pack, Real, Scalar};
 use std::sync::Arc;
 
 /// An item of a search: its input, the decisions and the hints.
-struct ItemOf<D: HintedSearch, R: Item> {
-    input: R,
+struct ItemOf<'a, D: HintedSearch, R: Item> {
+    input: &'a R,
     record: D::Record,
     hints: D::Hints<R::Scalar>,
 }
 
 impl<D: HintedSearch<In<<R as Pack>::Scalar> = R>, R: Item> SearchedItem<R::Scalar>
-    for ItemOf<D, R>
+    for ItemOf<'_, D, R>
 {
     fn value(&self, out: &mut [R::Scalar]) {
-        D::replay_with_hints::<R::Scalar>(self.input, self.record, self.hints).store(out);
+        D::replay_with_hints::<R::Scalar>(*self.input, self.record, self.hints).store(out);
     }
-    fn by_hand(&self, out_bar: Option<&[R::Scalar]>) -> Option<[Vec<R::Scalar>; 2]> {
-        let ones = vec![R::Scalar::one(); D::Out::<R::Scalar>::LEN];
-        let out_bar = D::Out::<R::Scalar>::load(out_bar.unwrap_or(&ones));
+    fn by_hand(&self, out_bar: Option<&[R::Scalar]>, out: &mut [R::Scalar]) -> bool {
+        let out_bar = match out_bar {
+            Some(out_bar) => D::Out::<R::Scalar>::load(out_bar),
+            None => D::Out::<R::Scalar>::filled(R::Scalar::one()),
+        };
         let found =
-            D::adjoint_with_hints::<R::Scalar>(self.input, &self.record, &self.hints, out_bar);
-        found.map(|(value, bars)| [value.scalars(), bars.scalars()])
+            D::adjoint_with_hints::<R::Scalar>(*self.input, &self.record, &self.hints, out_bar);
+        let Some((value, bars)) = found else {
+            return false;
+        };
+        let (result, mut row) = out.split_at_mut(D::Out::<R::Scalar>::LEN);
+        value.store(result);
+        // Derivatives have the input's codes.
+        bars.to_row(self.input, &mut row);
+        true
     }
     fn is_read(&self, place: usize) -> bool {
         D::is_read(&self.record, place)
+    }
+    fn scalars(&self) -> Vec<R::Scalar> {
+        self.input.scalars()
     }
     fn on_duals(&self, scalars: &[Jet<R::Scalar, AT_A_TIME>]) -> Vec<Jet<R::Scalar, AT_A_TIME>> {
         let mut moved = D::In::<Jet<R::Scalar, AT_A_TIME>>::load(scalars);
@@ -52,29 +64,38 @@ impl<D: HintedSearch<In<<R as Pack>::Scalar> = R>, R: Item> SearchedItem<R::Scal
         let hints = D::Hints::<Jet<R::Scalar, AT_A_TIME>>::load(&hints);
         D::replay_with_hints::<Jet<R::Scalar, AT_A_TIME>>(moved, self.record, hints).scalars()
     }
-    fn put(&self, scalars: &[R::Scalar], to: &mut [R::Scalar]) {
-        // Derivatives have the input's codes.
-        by_shape::<R>(scalars, &self.input.codes(), to);
+    fn put(&self, scalars: &[R::Scalar], mut to: &mut [R::Scalar]) {
+        R::load(scalars).to_row(self.input, &mut to);
+    }
+    fn scale(&self, mut bars: &mut [R::Scalar], scale: R::Scalar) {
+        if const { R::CODES == 0 } {
+            return bars.iter_mut().for_each(|bar| *bar *= scale);
+        }
+        R::leaves(&mut |leaf| {
+            let (own, rest) = std::mem::take(&mut bars).split_at_mut(leaf.fields);
+            let (scalars, _) = own.split_at_mut(leaf.fields - leaf.codes);
+            scalars.iter_mut().for_each(|bar| *bar *= scale);
+            bars = rest;
+        });
     }
     fn sizes(&self) -> [usize; 3] {
         [R::LEN, D::Out::<R::Scalar>::LEN, width::<R>()]
     }
 }
 
-/// Decides an item, and calls a function with it and the scalars of its input.
+/// Decides the item of a row, and calls a function with it.
 fn decided<D: HintedSearch<In<<R as Pack>::Scalar> = R>, R: Item>(
-    numbers: &[R::Scalar],
-    run: &mut dyn FnMut(&dyn SearchedItem<R::Scalar>, &[R::Scalar]),
+    row: &[R::Scalar],
+    run: &mut dyn FnMut(&dyn SearchedItem<R::Scalar>),
 ) {
-    let numbers = by_kind::<R>(numbers);
-    let input = get::<R>(&numbers);
+    let input: R = item_of(row);
     let (record, hints) = D::decide_with_hints::<R::Scalar>(input);
-    let item = ItemOf::<D, R> {
-        input,
+    let item = ItemOf::<'_, D, R> {
+        input: &input,
         record,
         hints,
     };
-    run(&item, &numbers[..R::LEN]);
+    run(&item);
 }
 
 /// Makes the recording of a search.

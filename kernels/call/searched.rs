@@ -10,15 +10,19 @@ pub(super) const AT_A_TIME: usize = 4;
 pub(crate) trait SearchedItem<T: Real> {
     /// Writes the result.
     fn value(&self, out: &mut [T]);
-    /// Returns the result, and the cotangents of the input's scalars by hand, if the search has them; without a cotangent
-    /// of the result it is all ones.
-    fn by_hand(&self, out_bar: Option<&[T]>) -> Option<[Vec<T>; 2]>;
+    /// Writes the result, then the cotangents of the input by hand in the order of a column. Returns `false` if the search
+    /// has none. Without a cotangent of the result it is all ones.
+    fn by_hand(&self, out_bar: Option<&[T]>, out: &mut [T]) -> bool;
     /// Returns `false` for a number, by its place, that the replay does not read.
     fn is_read(&self, place: usize) -> bool;
+    /// Returns the scalars of the input.
+    fn scalars(&self) -> Vec<T>;
     /// Returns the result on duals of the input's scalars.
     fn on_duals(&self, scalars: &[Jet<T, AT_A_TIME>]) -> Vec<Jet<T, AT_A_TIME>>;
     /// Writes derivatives by the input's scalars in the order of a column.
     fn put(&self, scalars: &[T], to: &mut [T]);
+    /// Multiplies derivatives in the order of a column.
+    fn scale(&self, bars: &mut [T], scale: T);
     /// Returns the number of scalars of the input, of the result, and of a row of the input's column.
     fn sizes(&self) -> [usize; 3];
 }
@@ -28,21 +32,21 @@ pub(super) fn constant<T: Real>(x: T) -> Jet<T, AT_A_TIME> {
     Jet::variable(x, usize::MAX)
 }
 
-/// Decides the item with these numbers, and calls a function with it and the scalars of its input.
-pub(crate) type Decide<T> = fn(&[T], &mut dyn FnMut(&dyn SearchedItem<T>, &[T]));
+/// Decides the item of a row, and calls a function with it.
+pub(crate) type Decide<T> = fn(&[T], &mut dyn FnMut(&dyn SearchedItem<T>));
 
 /// Decides an item, and writes what a mode gives; the cotangent of the result is `None` unless the mode takes one.
 pub(crate) fn compute<T: Real>(
     decide: Decide<T>,
     mode: Mode,
-    numbers: &[T],
+    row: &[T],
     out_bar: Option<&[T]>,
     out: &mut [T],
 ) {
-    decide(numbers, &mut |item, scalars| match mode {
+    decide(row, &mut |item| match mode {
         Mode::Value => item.value(out),
-        Mode::Jacobian => with_jacobian(item, scalars, out),
-        Mode::ValueGrad | Mode::Vjp => with_derivatives(item, scalars, out_bar, out),
+        Mode::Jacobian => with_jacobian(item, out),
+        Mode::ValueGrad | Mode::Vjp => with_derivatives(item, out_bar, out),
     });
 }
 
@@ -66,15 +70,12 @@ fn places<T: Real>(item: &dyn SearchedItem<T>, scalars: &[T]) -> Vec<usize> {
 }
 
 /// Writes the result of an item, and the gradient of each of its numbers.
-fn with_jacobian<T: Real>(item: &dyn SearchedItem<T>, scalars: &[T], out: &mut [T]) {
+fn with_jacobian<T: Real>(item: &dyn SearchedItem<T>, out: &mut [T]) {
     let [inputs, result, width] = item.sizes();
-    if result == 1
-        && let Some([value, bars]) = item.by_hand(None)
-    {
-        out[..result].copy_from_slice(&value);
-        item.put(&bars, &mut out[result..]);
+    if result == 1 && item.by_hand(None, out) {
         return;
     }
+    let scalars = &item.scalars()[..];
     let mut rows = vec![T::default(); result * inputs];
     for places in places(item, scalars).chunks(AT_A_TIME) {
         let replayed = replayed(item, scalars, places);
@@ -92,27 +93,21 @@ fn with_jacobian<T: Real>(item: &dyn SearchedItem<T>, scalars: &[T], out: &mut [
 }
 
 /// Writes the result of an item, and its derivatives times a cotangent; without one it is all ones.
-fn with_derivatives<T: Real>(
-    item: &dyn SearchedItem<T>,
-    scalars: &[T],
-    out_bar: Option<&[T]>,
-    out: &mut [T],
-) {
+fn with_derivatives<T: Real>(item: &dyn SearchedItem<T>, out_bar: Option<&[T]>, out: &mut [T]) {
     let [_, result, _] = item.sizes();
     // The cotangent of one number scales its gradient: both have the same bits but for this product.
     let (own, scale) = match out_bar {
         Some([bar]) => (None, Some(*bar)),
         _ => (out_bar, None),
     };
-    if let Some([value, mut bars]) = item.by_hand(own) {
-        out[..result].copy_from_slice(&value);
+    if item.by_hand(own, out) {
         if let Some(scale) = scale {
-            bars.iter_mut().for_each(|bar| *bar *= scale);
+            item.scale(&mut out[result..], scale);
         }
-        item.put(&bars, &mut out[result..]);
         return;
     }
     item.value(out);
+    let scalars = &item.scalars()[..];
     let mut bars = vec![T::default(); scalars.len()];
     for places in places(item, scalars).chunks(AT_A_TIME) {
         let replayed = replayed(item, scalars, places);

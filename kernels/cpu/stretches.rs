@@ -71,8 +71,8 @@ pub fn compute<T: Real>(work: Aligned<'_, T>) -> bool {
                     .iter_mut()
                     .zip(&plan.gives)
                     .map(|(piece, fields)| {
-                        let numbers = piece.as_mut()?.numbers();
-                        Some(&mut numbers[from * fields..(from + items.len()) * fields])
+                        let own = from..from + items.len();
+                        Some(piece.as_mut()?.numbers_of(own, *fields))
                     })
                     .collect();
                 let stretch = Stretch {
@@ -91,8 +91,8 @@ pub fn compute<T: Real>(work: Aligned<'_, T>) -> bool {
                     return;
                 }
                 stretch.compute(items.len(), &mut places);
+                pieces.iter_mut().flatten().for_each(TargetPiece::finish);
             }
-            pieces.into_iter().flatten().for_each(TargetPiece::finish);
         },
     );
     !has_failed.into_inner()

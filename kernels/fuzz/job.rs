@@ -17,7 +17,7 @@ use crate::kernels::machine::Column;
 use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::fold::{Fold, by_hand, fold};
 use crate::kernels::row::item::rows::numbers;
-use crate::kernels::row::item::{Item, Leaf, Target, by_kind, by_shape, get, leaves_of};
+use crate::kernels::row::item::{Item, Leaf, Target, item_of, leaves_of};
 use crate::kernels::row::op::{Declared, Op};
 use crate::{Fixed, Pack, Real};
 use std::sync::Arc;
@@ -93,7 +93,7 @@ pub(crate) fn all_numbers<X: Item>(x: &X) -> Vec<X::Scalar> {
         return x.scalars();
     }
     let mut all = vec![X::Scalar::default(); leaves_of::<X>().iter().map(|leaf| leaf.fields).sum()];
-    by_shape::<X>(&x.scalars(), &x.codes(), &mut all);
+    x.to_row(x, &mut &mut all[..]);
     all
 }
 
@@ -102,7 +102,7 @@ pub(crate) fn sampled<X: Sample + Item>(draw: &mut Draw) -> Vec<f64> {
 }
 
 pub(crate) fn shown<X: Sample + Item>(numbers: &[f64]) -> String {
-    format!("{:?}", get::<X>(&by_kind::<X>(numbers)))
+    format!("{:?}", item_of::<X>(numbers))
 }
 
 /// Returns the shapes of an input, with their rules.
@@ -267,7 +267,7 @@ impl<T: Real> Job<T> {
             both: is_number.then(|| computed(&make, Mode::ValueGrad)),
             square: None,
             alone: |x| {
-                let input = get::<D::In<T>>(&by_kind::<D::In<T>>(x));
+                let input = item_of::<D::In<T>>(x);
                 let (record, hints) = D::decide_with_hints::<T>(input);
                 D::replay_with_hints::<T>(input, record, hints).scalars()
             },

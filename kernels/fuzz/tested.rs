@@ -17,7 +17,7 @@ use crate::kernels::fuzz::{self, Fuzzed, Job, LineSource, fuzzed_in};
 use crate::kernels::ops;
 use crate::kernels::ops::walk::{Walk, Written};
 use crate::kernels::row::fold::{Fold, by_hand, fold};
-use crate::kernels::row::item::{Item, by_kind, get};
+use crate::kernels::row::item::{Item, item_of};
 use crate::kernels::row::op::Op;
 use crate::scalar::real::in_format;
 use crate::{Fixed, Pack, Real};
@@ -287,7 +287,7 @@ impl Walk for RowList {
             RowInFormat {
                 code: ScalarCode {
                     alone: |x| {
-                        let input = get::<D::In<S>>(&by_kind::<D::In<S>>(x));
+                        let input = item_of::<D::In<S>>(x);
                         let (record, hints) = D::decide_with_hints::<S>(input);
                         D::replay_with_hints::<S>(input, record, hints).scalars()
                     },

@@ -4,7 +4,7 @@ use crate::Real;
 use crate::error::Error;
 use crate::kernels::call::recording::Call;
 use crate::kernels::row::item::counts::expect;
-use crate::kernels::row::item::{Item, STRETCH, by_shape, leaves_of, memory, put, width};
+use crate::kernels::row::item::{Item, STRETCH, leaves_of, memory, width};
 use std::borrow::Cow;
 use std::ops::Range;
 
@@ -39,7 +39,7 @@ impl<'a, T: Real> Column<'a, T> {
             None => ColumnSource::Read(Box::new(move |items, rows| {
                 let rows = rows.chunks_exact_mut(width::<P>());
                 for (shape, row) in shapes[items].iter().zip(rows) {
-                    put(*shape, row);
+                    shape.to_row(shape, &mut &mut row[..]);
                 }
             })),
         };
@@ -86,10 +86,8 @@ impl<'a, T: Real> Column<'a, T> {
         Column {
             numbers: ColumnSource::Read(Box::new(move |items, rows| {
                 let mut all = vec![T::default(); width::<P>()];
-                let mut scalars = vec![T::default(); P::LEN];
                 for (shape, row) in shapes[items].iter().zip(rows.chunks_exact_mut(fields)) {
-                    shape.store(&mut scalars);
-                    by_shape::<P>(&scalars, &shape.codes(), &mut all);
+                    shape.to_row(shape, &mut &mut all[..]);
                     row.copy_from_slice(&all[part.clone()]);
                 }
             })),

@@ -1,7 +1,7 @@
 //! Tables: the results of all pairs.
 use crate::error::Error;
 use crate::kernels::row::item::counts::entries;
-use crate::kernels::row::item::{Item, Results, by_kind, get, width};
+use crate::kernels::row::item::{Item, Results, item_of, width};
 use std::marker::PhantomData;
 
 /// The results of all pairs of two lists: a row per shape of the first list, a column per shape of the second.
@@ -85,6 +85,6 @@ impl<P: Item> Table<P> {
         );
         let number = |k: usize| self.planes[(k * rows + row) * columns + column];
         let numbers: Vec<P::Scalar> = (0..width::<P>()).map(number).collect();
-        get(&by_kind::<P>(&numbers))
+        item_of(&numbers)
     }
 }

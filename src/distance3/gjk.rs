@@ -1,5 +1,6 @@
 //! The nearest points of two convex solids by their supports (Gilbert, Johnson, Keerthi 1988), with a bound from below.
 use crate::Vec3;
+use crate::arrays::Each;
 
 /// A point of b less one of a.
 pub(super) trait Difference: Copy {
@@ -136,10 +137,10 @@ fn of_segment(p: Vec3<f64>, q: Vec3<f64>) -> [f64; 2] {
 pub(super) fn of_triangle(corners: [Vec3<f64>; 3]) -> ([f64; 3], f64) {
     let [a, b, c] = corners;
     let normal = (b - a).cross(c - a);
-    let parts = [b.cross(c), c.cross(a), a.cross(b)].map(|part| part.dot(normal));
+    let parts = [b.cross(c), c.cross(a), a.cross(b)].each_as(|part| part.dot(normal));
     if normal.length_squared() > 0.0 && parts.iter().all(|&part| part > 0.0) {
         let sum = parts[0] + parts[1] + parts[2];
-        let [s, t, u] = parts.map(|part| part / sum);
+        let [s, t, u] = parts.each_as(|part| part / sum);
         return ([s, t, u], (a * s + b * t + c * u).length_squared());
     }
     let (mut best, mut weights) = (f64::INFINITY, [1.0, 0.0, 0.0]);
@@ -242,7 +243,7 @@ fn nearest_with_newest<D: Difference>(simplex: &[D]) -> Option<[f64; 4]> {
         [p, q, r, newest] => {
             let newest = newest.way();
             let all = [p.way(), q.way(), r.way()];
-            let [p, q, r] = all.map(|corner| corner - newest);
+            let [p, q, r] = all.each_as(|corner| corner - newest);
             let normals = [p.cross(q), q.cross(r), r.cross(p)];
             let side = normals[0].dot(r);
             let (mut best, mut weights) = (f64::INFINITY, None);

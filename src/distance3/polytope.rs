@@ -2,6 +2,8 @@
 //! their neighbours, and what a new corner takes away.
 use super::gjk::Difference;
 use crate::Vec3;
+use crate::arrays::Each;
+use smallvec::SmallVec;
 
 /// A face of the polytope.
 #[derive(Clone, Copy, Debug)]
@@ -42,24 +44,25 @@ struct Border {
     beyond: Side,
 }
 
-/// The number of corners and of faces, also those that are gone, for which there is room at first.
-const ROOM: [usize; 2] = [16, 20];
+/// The numbers of corners and of faces, also those that are gone, up to which the polytope needs no heap.
+const CORNERS: usize = 24;
+const FACES: usize = 96;
 
 /// The polytope so far.
 #[derive(Debug)]
 pub(super) struct Polytope<D> {
     /// The corners, at most 150: with all that are gone, faces are fewer than 2¹⁴.
-    pub corners: Vec<D>,
+    pub corners: SmallVec<[D; CORNERS]>,
     /// All faces, also those that are gone.
-    pub faces: Vec<Face>,
+    pub faces: SmallVec<[Face; FACES]>,
     /// The heights of faces above which there may be something; infinite for all others.
-    pub open: Vec<f64>,
+    pub open: SmallVec<[f64; FACES]>,
     /// `true` if a face has been a sliver.
     pub has_slivers: bool,
     /// The edges around the faces below a point, counter-clockwise.
-    border: Vec<Border>,
+    border: SmallVec<[Border; CORNERS]>,
     /// The faces below a point.
-    below: Vec<usize>,
+    below: SmallVec<[usize; CORNERS]>,
     /// The height over a face's plane that is none.
     none: f64,
     /// The sine of the least angle of faces whose normals have digits enough.
@@ -71,12 +74,12 @@ impl<D: Difference> Polytope<D> {
     /// a face that is no sliver.
     pub fn new(none: f64, sliver: f64) -> Self {
         Polytope {
-            corners: Vec::with_capacity(ROOM[0]),
-            faces: Vec::with_capacity(ROOM[1]),
-            open: Vec::with_capacity(ROOM[1]),
+            corners: SmallVec::new(),
+            faces: SmallVec::new(),
+            open: SmallVec::new(),
             has_slivers: false,
-            border: Vec::with_capacity(ROOM[0]),
-            below: Vec::with_capacity(ROOM[0]),
+            border: SmallVec::new(),
+            below: SmallVec::new(),
             none,
             sliver,
         }
@@ -98,13 +101,12 @@ impl<D: Difference> Polytope<D> {
         self.add([c, 3, 0], [side(2, 1), side(1, 0), side(0, 2)]);
     }
     fn add(&mut self, corners: [usize; 3], beside: [Side; 3]) {
-        let [p, q, r] = corners.map(|k| self.corners[k].way());
+        let [p, q, r] = corners.each_as(|k| self.corners[k].way());
         let (u, v, w) = (q - p, r - p, r - q);
         let product = u.cross(v);
-        let longest = u
-            .length_squared()
-            .max(v.length_squared())
-            .max(w.length_squared());
+        let more = |x: f64, y: f64| if x > y { x } else { y };
+        let squares = [u, v, w].each_as(|side| side.length_squared());
+        let longest = more(more(squares[0], squares[1]), squares[2]);
         let square = product.length_squared();
         let is_sliver = square <= self.sliver * self.sliver * (longest * longest);
         let (normal, height) = match is_sliver {
@@ -112,13 +114,13 @@ impl<D: Difference> Polytope<D> {
             false => {
                 let normal = product * (1.0 / square.sqrt());
                 let heights = [normal.dot(p), normal.dot(q), normal.dot(r)];
-                (normal, heights[0].max(heights[1]).max(heights[2]))
+                (normal, more(more(heights[0], heights[1]), heights[2]))
             }
         };
         self.has_slivers |= is_sliver;
         self.open.push(height);
         self.faces.push(Face {
-            corners: corners.map(|k| k as u16),
+            corners: corners.each_as(|k| k as u16),
             beside,
             normal,
             height,
@@ -129,15 +131,16 @@ impl<D: Difference> Polytope<D> {
     pub fn lowest(&self) -> Option<(usize, f64)> {
         let (mut first, mut least) = (0, f64::INFINITY);
         for (face, &height) in self.open.iter().enumerate() {
-            if height < least {
-                (first, least) = (face, height);
-            }
+            // Selections, since no branch predictor knows which face is the lowest.
+            let is_lower = height < least;
+            first = if is_lower { face } else { first };
+            least = if is_lower { height } else { least };
         }
         (least < f64::INFINITY).then_some((first, least))
     }
     /// Returns the corners of a face.
     pub fn corners_of(&self, face: &Face) -> [D; 3] {
-        face.corners.map(|k| self.corners[usize::from(k)])
+        face.corners.each_as(|k| self.corners[usize::from(k)])
     }
     /// Takes a face away, with all around it that are below a point, and keeps the sides around these, in order
     /// counter-clockwise, beginning with a side of the face.

@@ -8,6 +8,7 @@ use crate::{Aabb2, Fixed, Obb2, Pack, Real, Rule, Vec2};
 use std::any::TypeId;
 use std::borrow::Cow;
 use std::marker::PhantomData;
+use std::ops::Range;
 
 /// The layout of one shape of an item: the number of its scalars, their names, and its checks.
 #[derive(Debug)]
@@ -113,6 +114,12 @@ pub trait Item: Fixed<Scalar: Real> {
     /// Returns `count` items, all of them zero.
     #[doc(hidden)]
     fn many(count: usize) -> Self::Many;
+    /// Takes an item off a row of its columns: of every shape the scalars, then the codes.
+    #[doc(hidden)]
+    fn from_row(row: &mut &[Self::Scalar]) -> Self;
+    /// Writes the scalars of an item, and the codes of another one, as such a row.
+    #[doc(hidden)]
+    fn to_row(&self, coded: &Self, row: &mut &mut [Self::Scalar]);
     /// Adds the layout of every shape of an item, in order.
     #[doc(hidden)]
     fn leaves(add: &mut dyn FnMut(Leaf<Self::Scalar>));
@@ -191,17 +198,13 @@ where
 {
     let (count, fields) = (all.len(), width::<X>());
     let pieces = all.chunks_mut(STRETCH).map(|jacobians| {
-        let room = vec![Y::Scalar::default(); jacobians.len() * Y::LEN * fields];
-        let write = move |numbers: &[Y::Scalar]| {
-            let mut gradients = numbers.chunks_exact(fields);
-            for jacobian in jacobians {
-                *jacobian = Y::filled(Y::Scalar::default()).remake(&mut |_| {
-                    let numbers = gradients.next().unwrap_or_default();
-                    get::<X>(&by_kind::<X>(numbers))
-                });
+        let rows = (jacobians.len(), Y::LEN * fields);
+        TargetPiece::written(rows.0, rows.1, move |first, numbers: &[Y::Scalar]| {
+            let rows = numbers.chunks_exact(rows.1);
+            for (jacobian, mut row) in jacobians[first..].iter_mut().zip(rows) {
+                *jacobian = Y::filled(Y::Scalar::default()).remake(&mut |_| X::from_row(&mut row));
             }
-        };
-        TargetPiece::Written(room, Box::new(write))
+        })
     });
     Target {
         pieces: pieces.collect(),
@@ -248,6 +251,11 @@ fn number_of_code<T: Real>(code: u32) -> T {
 
 /// Writes a shape as the numbers of a column.
 pub(crate) fn put<P: Fixed<Scalar: Real>>(shape: P, numbers: &mut [P::Scalar]) {
+    put_coded(&shape, &shape, numbers);
+}
+
+/// Writes the scalars of a shape, and the codes of another one, as the numbers of a column.
+fn put_coded<P: Fixed<Scalar: Real>>(shape: &P, coded: &P, numbers: &mut [P::Scalar]) {
     shape.store(numbers);
     if const { P::CODES > 0 } {
         let (mut few, mut many) = ([0; FEW_CODES], Vec::new());
@@ -255,11 +263,32 @@ pub(crate) fn put<P: Fixed<Scalar: Real>>(shape: P, numbers: &mut [P::Scalar]) {
             many.resize(P::CODES, 0);
             &mut many
         });
-        shape.store_codes(codes);
+        coded.store_codes(codes);
         for (x, &mut code) in numbers[P::LEN..].iter_mut().zip(codes) {
             *x = number_of_code(code);
         }
     }
+}
+
+/// Takes a shape off a row of columns.
+#[doc(hidden)]
+pub fn shape_of_row<P: Fixed<Scalar: Real>>(row: &mut &[P::Scalar]) -> P {
+    let (own, rest) = row.split_at(width::<P>());
+    *row = rest;
+    get(own)
+}
+
+/// Writes the scalars of a shape, and the codes of another one, as part of a row of columns.
+#[doc(hidden)]
+pub fn shape_to_row<P: Fixed<Scalar: Real>>(shape: &P, coded: &P, row: &mut &mut [P::Scalar]) {
+    let (own, rest) = std::mem::take(row).split_at_mut(width::<P>());
+    *row = rest;
+    put_coded(shape, coded, own);
+}
+
+/// Returns the item with the numbers of a row of its columns.
+pub(crate) fn item_of<R: Item>(mut row: &[R::Scalar]) -> R {
+    R::from_row(&mut row)
 }
 
 /// Reorders the numbers of an item. In columns each shape has its scalars and then its codes; for [`Fixed::load`] all
@@ -364,6 +393,12 @@ macro_rules! __item_of_one {
             let zero = <Self::Scalar as ::core::default::Default>::default();
             ::std::vec![<Self as $crate::__private::Fixed>::filled(zero); count]
         }
+        fn from_row(row: &mut &[Self::Scalar]) -> Self {
+            $crate::__private::shape_of_row(row)
+        }
+        fn to_row(&self, coded: &Self, row: &mut &mut [Self::Scalar]) {
+            $crate::__private::shape_to_row(self, coded, row);
+        }
         fn leaves(add: &mut dyn FnMut($crate::__private::Leaf<Self::Scalar>)) {
             // A shape without numbers, such as `[T; 0]`, has no column.
             if <Self as $crate::__private::Fixed>::LEN > 0 {
@@ -394,11 +429,21 @@ impl<P: Item + Validate, const N: usize> Item for [P; N] {
 
 /// Items of several shapes.
 macro_rules! tuples {
-    ($($first:ident $($name:ident)*;)*) => { $(
+    ($($first:ident $first_coded:ident $($name:ident $coded:ident)*;)*) => { $(
         impl<$first: Item, $($name: Item<Scalar = $first::Scalar>),*> Item for ($first, $($name,)*) {
             type Many = ($first::Many, $($name::Many,)*);
             fn many(count: usize) -> Self::Many {
                 ($first::many(count), $($name::many(count),)*)
+            }
+            fn from_row(row: &mut &[Self::Scalar]) -> Self {
+                ($first::from_row(row), $($name::from_row(row),)*)
+            }
+            #[allow(non_snake_case)]
+            fn to_row(&self, coded: &Self, row: &mut &mut [Self::Scalar]) {
+                let ($first, $($name,)*) = self;
+                let ($first_coded, $($coded,)*) = coded;
+                $first.to_row($first_coded, row);
+                $($name.to_row($coded, row);)*
             }
             fn leaves(add: &mut dyn FnMut(Leaf<Self::Scalar>)) {
                 $first::leaves(add);
@@ -415,7 +460,7 @@ macro_rules! tuples {
         }
     )* };
 }
-tuples!(A B; A B C; A B C D; A B C D E; A B C D E F;);
+tuples!(A a B b; A a B b C c; A a B b C c D d; A a B b C c D d E e; A a B b C c D d E e F f;);
 
 /// Returns the targets of results, one per shape of an item.
 pub(crate) fn targets_of<P: Item>(many: &mut P::Many) -> Vec<Target<'_, P::Scalar>> {
@@ -428,8 +473,8 @@ pub(crate) fn targets_of<P: Item>(many: &mut P::Many) -> Vec<Target<'_, P::Scala
 pub trait Single: Item<Many = Vec<Self>> {}
 impl<P: Item<Many = Vec<P>>> Single for P {}
 
-/// A function that converts numbers to shapes, one after another.
-type Write<'a, T> = Box<dyn FnOnce(&[T]) + Send + 'a>;
+/// A function that converts numbers to shapes, one after another, beginning with one of a piece.
+type Write<'a, T> = Box<dyn FnMut(usize, &[T]) + Send + 'a>;
 
 /// The memory for one shape of every result.
 pub struct Target<'a, T> {
@@ -443,8 +488,19 @@ pub struct Target<'a, T> {
 pub(crate) enum TargetPiece<'a, T> {
     /// Numbers in place.
     Lent(&'a mut [T]),
-    /// A buffer of numbers, and the function that converts them to shapes: for shapes that are no slice of numbers.
-    Written(Vec<T>, Write<'a, T>),
+    /// Numbers that become shapes which are no slice of numbers.
+    Written(WrittenRows<'a, T>),
+}
+
+/// Rows of numbers for some shapes of a piece, and the function that converts them.
+pub(crate) struct WrittenRows<'a, T> {
+    /// The numbers of a row, and of the rows of the piece.
+    fields: usize,
+    count: usize,
+    /// The first of the shapes whose numbers are in the room.
+    first: usize,
+    room: Vec<T>,
+    write: Write<'a, T>,
 }
 
 /// The number of items in a piece of work.
@@ -457,13 +513,13 @@ pub fn target<P: Item>(shapes: &mut [P]) -> Target<'_, P::Scalar> {
         if memory::is_plain::<P>() {
             return TargetPiece::Lent(memory::lent_mut(shapes).unwrap_or_default());
         }
-        let room = vec![P::Scalar::default(); shapes.len() * width::<P>()];
-        let write = move |rows: &[P::Scalar]| {
-            for (shape, row) in shapes.iter_mut().zip(rows.chunks_exact(width::<P>())) {
+        let count = shapes.len();
+        TargetPiece::written(count, width::<P>(), move |first, rows: &[P::Scalar]| {
+            let rows = rows.chunks_exact(width::<P>());
+            for (shape, row) in shapes[first..].iter_mut().zip(rows) {
                 *shape = get(row);
             }
-        };
-        TargetPiece::Written(room, Box::new(write))
+        })
     });
     Target {
         pieces: pieces.collect(),
@@ -488,18 +544,46 @@ impl<'a, T: Real> Target<'a, T> {
     }
 }
 
-impl<T> TargetPiece<'_, T> {
-    /// Returns the numbers for writing.
+impl<'a, T: Real> TargetPiece<'a, T> {
+    /// Returns a piece of `count` shapes with rows of `fields` numbers, which a function converts.
+    fn written(count: usize, fields: usize, write: impl FnMut(usize, &[T]) + Send + 'a) -> Self {
+        TargetPiece::Written(WrittenRows {
+            fields,
+            count,
+            first: 0,
+            room: Vec::new(),
+            write: Box::new(write),
+        })
+    }
+    /// Returns the numbers of all its items for writing.
     pub(crate) fn numbers(&mut self) -> &mut [T] {
         match self {
             TargetPiece::Lent(numbers) => numbers,
-            TargetPiece::Written(numbers, _) => numbers,
+            TargetPiece::Written(rows) => {
+                let all = 0..rows.count;
+                rows.numbers(all)
+            }
+        }
+    }
+    /// Returns the numbers of some of its items for writing, `fields` each. Those of others must be [finished](Self::finish).
+    pub(crate) fn numbers_of(&mut self, items: Range<usize>, fields: usize) -> &mut [T] {
+        match self {
+            TargetPiece::Lent(numbers) => &mut numbers[items.start * fields..items.end * fields],
+            TargetPiece::Written(rows) => rows.numbers(items),
         }
     }
     /// Converts the numbers to shapes.
-    pub(crate) fn finish(self) {
-        if let TargetPiece::Written(numbers, write) = self {
-            write(&numbers);
+    pub(crate) fn finish(&mut self) {
+        if let TargetPiece::Written(rows) = self {
+            (rows.write)(rows.first, &rows.room);
         }
+    }
+}
+
+impl<T: Real> WrittenRows<'_, T> {
+    fn numbers(&mut self, items: Range<usize>) -> &mut [T] {
+        self.first = items.start;
+        self.room.resize(items.len() * self.fields, T::default());
+        &mut self.room
     }
 }

@@ -10,8 +10,10 @@ use super::hull_record::{FeaturePair, HullFeatures, spanning};
 use super::near_features::long;
 use super::parting_planes::Plane;
 use super::patch;
+use crate::arrays::Each;
 use crate::hull::hull_search;
 use crate::{Vec2, Vec3};
+use smallvec::{SmallVec, smallvec};
 
 /// The most corners of the polytope; hulls of 32 corners need about twenty.
 const CORNERS: usize = 64;
@@ -36,8 +38,8 @@ impl Differences<'_> {
         let ((_, of_a), (_, of_b)) = (self.a.highest(-way), self.b.highest(way));
         of_b - of_a
     }
-    /// Returns a tetrahedron of differences that are far apart; `None` if they are in a plane.
-    fn start(&self) -> Option<Polytope<Vec3<f64>>> {
+    /// Begins a polytope with differences that are far apart. Returns `false` if they are in a plane.
+    fn start(&self, polytope: &mut Polytope<Vec3<f64>>) -> bool {
         let first = self.highest(Vec3::new(1.0, 0.0, 0.0));
         let second = self.highest(-first - Vec3::new(1.0, 0.0, 0.0));
         let along = unit(second - first);
@@ -56,16 +58,17 @@ impl Differences<'_> {
         let up = unit((second - first).cross(third - first));
         let fourth = farther(self.highest(up), self.highest(-up), up);
         let height = up.dot(fourth - first);
-        let polytope = tetrahedron([first, second, third, fourth], height);
-        (height.abs() > SLIVER && !polytope.has_slivers).then_some(polytope)
+        polytope.begin([first, second, third, fourth], height);
+        height.abs() > SLIVER && !polytope.has_slivers
     }
     /// Expands a polytope until nothing is above its lowest faces, all those up to a height over the lowest one. Returns
     /// the lowest face; `None` without a proof.
     fn expanded(&self, first: Option<[Vec3<f64>; 4]>, clear: f64) -> Option<Face> {
-        let mut polytope = match first.and_then(fat) {
-            Some(polytope) => polytope,
-            None => self.start()?,
-        };
+        let mut polytope = Polytope::new(ABOVE, SLIVER);
+        let is_fat = first.is_some_and(|first| is_fat(&mut polytope, first));
+        if !is_fat && !self.start(&mut polytope) {
+            return None;
+        }
         let mut best: Option<Face> = None;
         while let Some((k, least)) = polytope.lowest() {
             if best.is_some_and(|best| least >= best.height + clear) {
@@ -95,24 +98,20 @@ impl Differences<'_> {
     }
 }
 
-/// Returns the polytope of four corners, given the sign of the height of the last one.
-fn tetrahedron(corners: [Vec3<f64>; 4], height: f64) -> Polytope<Vec3<f64>> {
-    let mut polytope = Polytope::new(ABOVE, SLIVER);
-    polytope.begin(corners, height);
-    polytope
-}
-
-/// Returns the polytope of four corners; `None` of a flat one.
-fn fat(corners: [Vec3<f64>; 4]) -> Option<Polytope<Vec3<f64>>> {
+/// Begins a polytope with four corners. Returns `false` if they are nearly in a plane.
+fn is_fat(polytope: &mut Polytope<Vec3<f64>>, corners: [Vec3<f64>; 4]) -> bool {
     let [first, second, third, fourth] = corners;
     let height = (second - first).cross(third - first).dot(fourth - first);
-    let polytope = tetrahedron(corners, height);
+    polytope.begin(corners, height);
     let is_fat = |face: &Face| {
-        let heights = corners.map(|corner| face.normal.dot(corner) - face.height);
+        let heights = corners.each_as(|corner| face.normal.dot(corner) - face.height);
         heights.into_iter().fold(0.0, f64::min) < -FAT
     };
-    (!polytope.has_slivers && polytope.faces.iter().all(is_fat)).then_some(polytope)
+    !polytope.has_slivers && polytope.faces.iter().all(is_fat)
 }
+
+/// The numbers of points that are equally high.
+type Top = SmallVec<[usize; 8]>;
 
 /// Returns the points that are as high along a direction as one of them; `None` where rounding may decide which ones they
 /// are, or which of them are corners.
@@ -121,7 +120,7 @@ fn top(
     way: Vec3<f64>,
     highest: usize,
     (slack, clear): (f64, f64),
-) -> Option<Vec<usize>> {
+) -> Option<Top> {
     let height = way.dot(points.point(highest));
     let least = height - slack.max(2.0 * ABOVE);
     let count = points.count_above(way, least);
@@ -129,12 +128,12 @@ fn top(
         return None;
     }
     if count == 1 {
-        return Some(vec![highest]);
+        return Some(smallvec![highest]);
     }
-    let mut all = Vec::with_capacity(count);
+    let mut all = Top::with_capacity(count);
     points.above(way, least, |k| all.push(k));
     let is_clear = |[i, j, k]: [usize; 3]| {
-        let [i, j, k] = [i, j, k].map(|k| points.point(k));
+        let [i, j, k] = [i, j, k].each_as(|k| points.point(k));
         let (u, v) = (j - i, k - j);
         let most = u.length_squared().max(v.length_squared());
         way.dot(u.cross(v)).abs() > SLIVER * most
@@ -167,9 +166,10 @@ pub(super) fn deepest(
     depth: f64,
     slack: f64,
 ) -> Option<Vec<HullFeatures>> {
-    let clear = CLEAR.max(4.0 * slack);
     let differences = Differences { a: *a, b: *b };
-    let face = differences.expanded(first, clear)?;
+    // Planes are equally deep up to twice the slack, corners equally high up to it.
+    let face = differences.expanded(first, 2.0 * slack + CLEAR)?;
+    let clear = slack + CLEAR;
     if face.height < depth {
         return None;
     }

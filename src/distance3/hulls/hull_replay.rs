@@ -305,12 +305,35 @@ pub(super) fn replay<S: Scalar>(
 ) -> Relation<S> {
     let all = record.features();
     let scale = scale_of_features(a, b, record);
+    let of = |features: &HullFeatures| {
+        let here = placed(a, features.a, scale);
+        let there = placed(b, features.b, scale);
+        related(features, here, there, record.inside)
+    };
+    let found = match all {
+        [alone] => of(alone),
+        _ => mean_of(all, of),
+    };
+    // A power of two has an exact reciprocal.
+    let back = S::one().over(scale);
+    Relation {
+        apart: found.apart * back,
+        square: found.square * back * back,
+        normal: found.normal,
+        on_a: found.on_a * back,
+        on_b: found.on_b * back,
+    }
+}
+
+/// Returns the mean of the relations of several features.
+fn mean_of<S: Scalar>(
+    all: &[HullFeatures],
+    of: impl Fn(&HullFeatures) -> Relation<S>,
+) -> Relation<S> {
     let mut mean: Option<Relation<S>> = None;
     let planes = 1 + all.iter().map(|features| features.plane).max().unwrap_or(0);
     for features in all {
-        let here = placed(a, features.a, scale);
-        let there = placed(b, features.b, scale);
-        let own = related(features, here, there, record.inside);
+        let own = of(features);
         let count = all.iter().filter(|other| other.plane == features.plane);
         let count = count.count() as f64;
         let share = S::lit(1.0 / (count * f64::from(planes)));
@@ -344,22 +367,8 @@ pub(super) fn replay<S: Scalar>(
         });
     }
     let found = mean.unwrap_or_else(|| unreachable!("a record has a feature"));
-    let normal = match all.len() {
-        1 => found.normal,
-        _ => {
-            let [here, there] = [placed(a, all[0].a, scale), placed(b, all[0].b, scale)];
-            lengthened(
-                found.normal,
-                related(&all[0], here, there, record.inside).normal,
-            )
-        }
-    };
-    let back = |v: Vec3<S>| Vec3::new(v.x.over(scale), v.y.over(scale), v.z.over(scale));
     Relation {
-        apart: found.apart.over(scale),
-        square: found.square.over(scale).over(scale),
-        normal,
-        on_a: back(found.on_a),
-        on_b: back(found.on_b),
+        normal: lengthened(found.normal, of(&all[0]).normal),
+        ..found
     }
 }

@@ -9,10 +9,11 @@ use super::near_features::{edges, from_edge, long, nearest, of_edges};
 use super::parting_planes as planes;
 use super::patch;
 use crate::Vec3;
+use crate::arrays::Each;
 
 /// The share of the size above which hulls are certainly apart, or overlap.
 const CLEAR: f64 = 1e-3;
-/// The share of the size above which hulls are apart whose nearest features are proved, and so many roundings.
+/// The share of the size above which hulls are apart, or overlap, whose features are proved, and so many roundings.
 const APART: f64 = 1e-7;
 /// The height over the lowest corner below which a corner may be nearest, where hulls are clearly apart.
 const LOW: f64 = 1e-11;
@@ -32,28 +33,24 @@ pub(super) struct HullPair {
 }
 
 impl HullPair {
-    /// Returns the columns of some corners, of both one at least; `None` if one is not finite.
+    /// Creates room for some numbers of corners, of both one at least.
     #[inline]
-    pub fn new(
-        counts: [usize; 2],
-        a: impl Fn(usize) -> Vec3<f64>,
-        b: impl Fn(usize) -> Vec3<f64>,
-    ) -> Option<Self> {
-        let from = a(0);
-        let finite =
-            (0..counts[0]).all(|k| a(k).is_finite()) && (0..counts[1]).all(|k| b(k).is_finite());
-        if !finite {
-            return None;
-        }
-        let mut groups = PointGroups::with_room(counts);
-        groups.add(counts[0], |k| a(k) - from);
-        groups.add(counts[1], |k| b(k) - from);
-        let units = groups.scale();
-        Some(HullPair {
-            groups,
+    pub fn new(counts: [usize; 2]) -> Self {
+        HullPair {
+            groups: PointGroups::with_room(counts),
             counts,
-            units,
-        })
+            units: 1.0,
+        }
+    }
+    /// Writes the corners, in place. Returns `false` if one is not finite.
+    #[inline]
+    pub fn fill(&mut self, a: impl Fn(usize) -> Vec3<f64>, b: impl Fn(usize) -> Vec3<f64>) -> bool {
+        let from = a(0);
+        self.groups.add(self.counts[0], |k| a(k) - from);
+        self.groups.add(self.counts[1], |k| b(k) - from);
+        let units = self.groups.scale();
+        self.units = units.unwrap_or(1.0);
+        units.is_some()
     }
     fn columns(&self) -> [PointColumns<'_>; 2] {
         let [a, b] = self.counts;
@@ -91,12 +88,15 @@ pub(super) fn search(
     let columns = pair.columns();
     let slack = TIED * rounding;
     let seen = nearest_points(&columns);
-    let proves = !seen.inside && seen.least > APART.max(4.0 * TOUCH * rounding);
-    if proves && let Some(features) = few(&columns, &seen, slack) {
+    let clear = APART.max(4.0 * TOUCH * rounding);
+    if !seen.inside
+        && seen.least > clear
+        && let Some(features) = few(&columns, &seen, slack)
+    {
         return HullRecord::new(&[features], false);
     }
     if seen.inside
-        && let Some(features) = expansion::deepest(&columns, seen.around(), CLEAR, slack)
+        && let Some(features) = expansion::deepest(&columns, seen.around(), clear, slack)
     {
         return HullRecord::new(&features, true);
     }
@@ -168,10 +168,13 @@ impl Nearest {
         }
         let mut corners = [usize::MAX; 3];
         corners[..codes.len()].copy_from_slice(codes);
-        corners.sort_unstable();
+        let [p, q, r] = corners;
+        let (p, q) = (p.min(q), p.max(q));
+        let (q, r) = (q.min(r), q.max(r));
+        let corners = [p.min(q), p.max(q), r];
         Some(Nearest {
             corners,
-            weights: corners.map(|corner| mix.weight(corner)),
+            weights: corners.each_as(|corner| mix.weight(corner)),
             count: codes.len(),
         })
     }
@@ -235,8 +238,8 @@ fn few(
         return is_reached(distance).then_some(features);
     }
     let (from, to) = (
-        of_a.corners.map(|k| a.point(k)),
-        of_b.corners.map(|k| b.point(k)),
+        of_a.corners.each_as(|k| a.point(k)),
+        of_b.corners.each_as(|k| b.point(k)),
     );
     let own = |pair| HullFeatures::new(pair, of_a.corners(), of_b.corners());
     let (distance, aside, features) = match (of_a.count, of_b.count) {
@@ -270,7 +273,7 @@ fn few(
         }
         (1, 3) => {
             let face = spanning(|k| b.point(k), of_b.corners(), -way);
-            let (distance, aside) = over(face.map(|k| b.point(k)), from[0])?;
+            let (distance, aside) = over(face.each_as(|k| b.point(k)), from[0])?;
             (
                 distance,
                 aside,
@@ -279,7 +282,7 @@ fn few(
         }
         (3, 1) => {
             let face = spanning(|k| a.point(k), of_a.corners(), way);
-            let (distance, aside) = over(face.map(|k| a.point(k)), to[0])?;
+            let (distance, aside) = over(face.each_as(|k| a.point(k)), to[0])?;
             (
                 distance,
                 aside,
@@ -335,7 +338,7 @@ fn wide_face(
 fn over([a, b, c]: [Vec3<f64>; 3], point: Vec3<f64>) -> Option<(f64, f64)> {
     let normal = across(b - a, c - a);
     let inside = |p: Vec3<f64>, q: Vec3<f64>| normal.dot((q - p).cross(point - p)) > 0.0;
-    let longest = [b - a, c - b, a - c].map(|side| side.length_squared());
+    let longest = [b - a, c - b, a - c].each_as(|side| side.length_squared());
     let longest = longest.into_iter().fold(0.0, f64::max);
     let aside = (b - a).cross(c - a).length_squared() / longest;
     (inside(a, b) && inside(b, c) && inside(c, a)).then(|| (normal.dot(point - a).abs(), aside))

@@ -218,18 +218,14 @@ where
 {
     let from = origin(a, b);
     let (of_a, of_b) = (a.corners_from(from), b.corners_from(from));
-    let pair = HullPair::new(
-        [of_a.count(), of_b.count()],
-        |k| number(&of_a, k),
-        |k| number(&of_b, k),
-    );
-    let record = match pair {
-        Some(pair) => hull_search::search(
+    let mut pair = HullPair::new([of_a.count(), of_b.count()]);
+    let record = match pair.fill(|k| number(&of_a, k), |k| number(&of_b, k)) {
+        true => hull_search::search(
             &pair,
             || [all_numbers(&of_a), all_numbers(&of_b)],
             S::format().epsilon(),
         ),
-        None => HullRecord::new(&[], false),
+        false => HullRecord::new(&[], false),
     };
     noted::<S::Primal>(1, [record.inside.into()]);
     for features in record.features() {

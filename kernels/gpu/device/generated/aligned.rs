@@ -75,7 +75,7 @@ impl Device {
         for (arrival, chunk) in open {
             chunk.finish(made, arrival, &mut targets)?;
         }
-        targets.into_iter().flatten().for_each(TargetPiece::finish);
+        targets.iter_mut().flatten().for_each(TargetPiece::finish);
         Ok(())
     }
 

@@ -212,7 +212,7 @@ impl Device {
                 }
             }
         }
-        targets.into_iter().flatten().for_each(TargetPiece::finish);
+        targets.iter_mut().flatten().for_each(TargetPiece::finish);
         Ok(())
     }
 
