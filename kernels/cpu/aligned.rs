@@ -85,29 +85,31 @@ pub(crate) fn compute<'a, T: Real>(
     });
 }
 
-/// Computes items with unchecked numbers into new targets. Returns `false` where numbers must be checked first, or some
-/// are suspect; the results are then incomplete.
-///
-/// A program thus reads its numbers from memory once.
+/// Returns `true` if [unchecked](compute_unchecked) numbers may be computed with, so that a program reads them from memory
+/// once.
+pub(crate) fn checks_later<T: Real>(plan: &Plan<T>) -> bool {
+    let is_brief = || plan.maker.rows().is_some_and(|rows| rows.is_brief());
+    let mut arguments = plan.arguments.iter();
+    plan.rare.is_none()
+        && arguments.all(|x| x.frame.is_none() && x.all_ordinary.is_some())
+        && is_brief()
+        && Simd::current().is_ok()
+}
+
+/// Computes items with unchecked numbers into new targets. Returns `false` where some are suspect; the results are then
+/// incomplete.
 pub(crate) fn compute_unchecked<'a, T: Real>(
     plan: &'a Plan<T>,
     columns: &'a [Column<'a, T>],
     count: usize,
     targets: Vec<Option<Target<'a, T>>>,
 ) -> bool {
-    let is_brief = plan.maker.rows().is_some_and(|rows| rows.is_brief());
-    let mut arguments = plan.arguments.iter();
-    let is_plain = arguments.all(|x| x.frame.is_none() && x.all_ordinary.is_some());
-    is_brief
-        && plan.rare.is_none()
-        && is_plain
-        && Simd::current().is_ok()
-        && stretches::compute(Aligned {
-            plan,
-            columns,
-            rare: false,
-            count,
-            unchecked: true,
-            targets,
-        })
+    stretches::compute(Aligned {
+        plan,
+        columns,
+        rare: false,
+        count,
+        unchecked: true,
+        targets,
+    })
 }

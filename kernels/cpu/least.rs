@@ -5,6 +5,7 @@
 //! result, then all that are left. Pairs of several own items share tiles.
 use crate::Real;
 use crate::kernels::cpu::arch::flat;
+use crate::kernels::cpu::blocks::reach;
 use crate::kernels::cpu::lane::{
     BLOCK, LaneBuffer, Planes, ResultTiles, TILE, Tiles, planes, tiles, with_kept,
 };
@@ -241,6 +242,10 @@ impl<T: Real> Piece<'_, T> {
         };
         best.map_or(cap, |best| best.value)
     }
+    /// Returns the largest bound of pairs whose result may count for an own item.
+    fn reach(&self, own: usize) -> T {
+        reach(self.limit(own), self.search.squared)
+    }
     /// Receives the result of a pair.
     fn take(&mut self, [row, column]: [u32; 2], value: T) {
         let (row, column) = (row as usize, column as usize);
@@ -305,26 +310,26 @@ impl<T: Real> Piece<'_, T> {
         pairs: &mut PairTiles<'_, T>,
     ) {
         let search = self.search;
-        let (side, squared) = (search.side(), search.squared);
+        let side = search.side();
         let (mine, others) = (boxes[side], boxes[1 - side]);
         let offsets = search.offsets()[1];
         let is_least = !matches!(search.wanted, Least::Below(_));
         for (own, open) in now.clone().zip(&mut *open) {
             let group = search.group(own);
             let range = offsets[group]..offsets[group + 1];
-            others.begin(&mine.around(own), range, squared, open);
+            others.begin(&mine.around(own), range, open);
         }
         if is_least {
             for (own, open) in now.clone().zip(&mut *open) {
-                open.first(self.limit(own), |place| {
+                open.first(self.reach(own), |place| {
                     self.add(pairs, own, others.item(place));
                 });
             }
             pairs.finish(&mut |pair, value| self.take(pair, value));
         }
         for (own, open) in now.clone().zip(&mut *open) {
-            let limit = self.limit(own);
-            others.open_rest(&mine.around(own), squared, limit, open);
+            let limit = self.reach(own);
+            others.open_rest(&mine.around(own), limit, open);
             open.gather(limit);
         }
         if is_least {
@@ -336,7 +341,7 @@ impl<T: Real> Piece<'_, T> {
             pairs.finish(&mut |pair, value| self.take(pair, value));
         }
         for (own, open) in now.zip(open) {
-            let limit = self.limit(own);
+            let limit = self.reach(own);
             open.rest(limit, |place| {
                 self.add(pairs, own, others.item(place));
             });

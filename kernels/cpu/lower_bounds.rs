@@ -36,6 +36,8 @@ pub(crate) struct Open<T> {
     tiles: Vec<u32>,
     /// The bounds of each tile.
     bounds: Vec<Lane<T>>,
+    /// The least bound of each of the first tiles, as long as none has been removed.
+    least: Vec<T>,
     /// The bounds of all tiles, in tiles; NaN for tiles that are open. Empty if all are.
     upper: Vec<Lane<T>>,
     /// Bounds and places of others that may be near.
@@ -179,21 +181,16 @@ impl<T: Real> Boxes<T> {
     }
     /// Begins a search for the items of a range that are near a box. If these are sorted, the nearest tile is open, else
     /// all are.
-    pub(crate) fn begin(
-        &self,
-        own: &[T; SPACE],
-        range: Range<usize>,
-        squared: bool,
-        open: &mut Open<T>,
-    ) {
+    pub(crate) fn begin(&self, own: &[T; SPACE], range: Range<usize>, open: &mut Open<T>) {
         let gaps = kernels_in::<T>().gaps;
         open.tiles.clear();
         open.bounds.clear();
+        open.least.clear();
         open.upper.clear();
         if let Some(sorted) = &self.sorted {
             let upper = Tiles::new(&sorted.upper, SPACE);
             open.upper.resize(tiles(tiles(self.count)), Lane::default());
-            gaps(own, upper, squared, &mut open.upper);
+            gaps(own, upper, &mut open.upper);
             forget(&mut open.upper, tiles(self.count));
             let all = open.upper.iter().flat_map(|lane| lane.0).enumerate();
             let least = all
@@ -203,7 +200,7 @@ impl<T: Real> Boxes<T> {
                     false => a,
                 });
             if let Some((tile, _)) = least {
-                self.open(own, tile, squared, open);
+                self.open(own, tile, open);
             }
             return;
         }
@@ -213,7 +210,7 @@ impl<T: Real> Boxes<T> {
         let own_tiles = range.start / TILE..tiles(range.end);
         let boxes = &self.lanes[own_tiles.start * SPACE..own_tiles.end * SPACE];
         open.bounds.resize(own_tiles.len(), Lane::default());
-        gaps(own, Tiles::new(boxes, SPACE), squared, &mut open.bounds);
+        gaps(own, Tiles::new(boxes, SPACE), &mut open.bounds);
         let first = own_tiles.start * TILE;
         for i in 0..range.start - first {
             open.bounds[0].0[i] = T::lit(f64::NAN);
@@ -222,19 +219,19 @@ impl<T: Real> Boxes<T> {
         open.tiles.extend(own_tiles.map(|tile| tile as u32));
     }
     /// Opens the tiles that are left and have a bound up to a limit.
-    pub(crate) fn open_rest(&self, own: &[T; SPACE], squared: bool, limit: T, open: &mut Open<T>) {
+    pub(crate) fn open_rest(&self, own: &[T; SPACE], limit: T, open: &mut Open<T>) {
         for tile in 0..open.upper.len() * TILE {
             if open.upper[tile / TILE].0[tile % TILE].at_most(limit) {
-                self.open(own, tile, squared, open);
+                self.open(own, tile, open);
             }
         }
     }
     /// Opens a tile of sorted items.
-    fn open(&self, own: &[T; SPACE], tile: usize, squared: bool, open: &mut Open<T>) {
+    fn open(&self, own: &[T; SPACE], tile: usize, open: &mut Open<T>) {
         let Some(sorted) = &self.sorted else { return };
         let boxes = Tiles::new(&sorted.lanes[tile * SPACE..][..SPACE], SPACE);
         let mut bounds = [Lane::default()];
-        (kernels_in::<T>().gaps)(own, boxes, squared, &mut bounds);
+        (kernels_in::<T>().gaps)(own, boxes, &mut bounds);
         forget(&mut bounds, (self.count - tile * TILE).min(TILE));
         open.upper[tile / TILE].0[tile % TILE] = T::lit(f64::NAN);
         open.tiles.push(tile as u32);
@@ -269,8 +266,9 @@ impl<T: Real> Open<T> {
     /// tiles.
     pub(crate) fn first(&mut self, limit: T, mut pass: impl FnMut(u32)) {
         let mut two = [(T::lit(f64::INFINITY), usize::MAX); 2];
-        for (tile, lane) in self.bounds.iter().enumerate() {
-            let own = (least(lane), tile);
+        self.least.extend(self.bounds.iter().map(least));
+        for (tile, &least) in self.least.iter().enumerate() {
+            let own = (least, tile);
             if own.0 < two[0].0 {
                 two = [own, two[0]];
             } else if own.0 < two[1].0 {
@@ -291,10 +289,10 @@ impl<T: Real> Open<T> {
     /// Lists the others with a bound up to a limit that are not removed.
     pub(crate) fn gather(&mut self, limit: T) {
         self.near.clear();
-        for (lane, &tile) in self.bounds.iter().zip(&self.tiles) {
-            if !least(lane).at_most(limit) {
-                continue;
-            }
+        let others = &self.bounds[self.least.len()..];
+        self.least.extend(others.iter().map(least));
+        let tiles = self.bounds.iter().zip(&self.tiles).zip(&self.least);
+        for ((lane, &tile), _) in tiles.filter(|(_, least)| least.at_most(limit)) {
             for (&bound, i) in lane.0.iter().zip(tile * TILE as u32..) {
                 if bound.at_most(limit) {
                     self.near.push((bound, i));

@@ -4,7 +4,7 @@ use crate::error::{Argument, Error};
 use crate::kernels::call::folding::Folding;
 use crate::kernels::call::recording::{Body, Call};
 use crate::kernels::cpu::Processor;
-use crate::kernels::cpu::aligned::{checked, compute, compute_unchecked};
+use crate::kernels::cpu::aligned::{checked, checks_later, compute, compute_unchecked};
 use crate::kernels::cpu::checked::{
     check, check_argument, check_numbers, check_upstream, restore, tame,
 };
@@ -188,11 +188,11 @@ impl<T: Real> Engine<T> for Processor {
         check_here(columns)?;
         let plan = plan(call, false)?;
         match results {
-            Items::Targets(targets, true) => {
+            Items::Targets(targets, true) if checks_later(&plan) => {
                 let count = count_of(call, columns)?;
                 return Ok(compute_unchecked(&plan, columns, count, targets));
             }
-            Items::Targets(targets, false) => {
+            Items::Targets(targets, _) => {
                 let (count, rare) = checked(&plan, columns)?;
                 compute(&plan, columns, rare, count, targets);
             }

@@ -10,8 +10,12 @@ use crate::kernels::cpu::program::rowwise::{ArgumentRows, NEAR, ResultRows};
 use crate::kernels::cpu::work::in_parallel;
 use crate::kernels::machine::Column;
 use crate::kernels::row::item::{STRETCH, Target, TargetPiece};
+use smallvec::SmallVec;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
+
+/// One of every argument or result, of which few calls have more.
+type Few<X> = SmallVec<[X; 4]>;
 
 /// The number of items in a block, few enough for the innermost cache together with their results.
 const ITEMS: usize = 256;
@@ -36,8 +40,8 @@ pub struct Aligned<'a, T> {
 /// Computes aligned items on all threads. Returns `false` if `unchecked` numbers fail a quick test: the results are
 /// then incomplete, and the caller checks and computes again.
 pub fn compute<T: Real>(work: Aligned<'_, T>) -> bool {
-    let mut pieces: Vec<Vec<Option<TargetPiece<'_, T>>>> = Vec::new();
-    pieces.resize_with(work.count.div_ceil(STRETCH), Vec::new);
+    let mut pieces: Vec<Few<Option<TargetPiece<'_, T>>>> = Vec::new();
+    pieces.resize_with(work.count.div_ceil(STRETCH), Few::new);
     for target in work.targets {
         match target {
             Some(target) => {
@@ -56,18 +60,18 @@ pub fn compute<T: Real>(work: Aligned<'_, T>) -> bool {
     let work = pieces.into_iter().enumerate().collect();
     in_parallel(
         work,
-        |(i, mut pieces): (usize, Vec<Option<TargetPiece<'_, T>>>)| {
+        |(i, mut pieces): (usize, Few<Option<TargetPiece<'_, T>>>)| {
             let items = i * STRETCH..count.min((i + 1) * STRETCH);
-            let mut rooms: Vec<Vec<T>> = columns.iter().map(|_| Vec::new()).collect();
+            let mut rooms: Few<Vec<T>> = columns.iter().map(|_| Vec::new()).collect();
             let group = columns.iter().map(Column::group).min().unwrap_or(STRETCH);
             for first in items.clone().step_by(group) {
                 let items = first..items.end.min(first + group);
                 let columns_with_rooms = columns.iter().zip(&mut rooms);
-                let numbers: Vec<&[T]> = columns_with_rooms
+                let numbers: Few<&[T]> = columns_with_rooms
                     .map(|(column, room)| column.numbers(items.clone(), room))
                     .collect();
                 let from = first % STRETCH;
-                let mut places: Vec<Option<&mut [T]>> = pieces
+                let mut places: Few<Option<&mut [T]>> = pieces
                     .iter_mut()
                     .zip(&plan.gives)
                     .map(|(piece, fields)| {
@@ -91,6 +95,7 @@ pub fn compute<T: Real>(work: Aligned<'_, T>) -> bool {
                     return;
                 }
                 stretch.compute(items.len(), &mut places);
+                drop(places);
                 pieces.iter_mut().flatten().for_each(TargetPiece::finish);
             }
         },
@@ -102,11 +107,11 @@ pub fn compute<T: Real>(work: Aligned<'_, T>) -> bool {
 struct Stretch<'a, T> {
     plan: &'a Plan<T>,
     /// For each column: `true` if one item stands for all.
-    ones: Vec<bool>,
+    ones: Few<bool>,
     /// For each column: the number of scalars per item.
-    fields: Vec<usize>,
+    fields: Few<usize>,
     /// For each column: its numbers.
-    numbers: Vec<&'a [T]>,
+    numbers: Few<&'a [T]>,
     rare: bool,
     /// `true` if rows are prefetched.
     far: bool,
@@ -179,7 +184,7 @@ impl<T: Real> Stretch<'_, T> {
         places: &mut [Option<&mut [T]>],
     ) {
         let columns = self.numbers.iter().zip(&self.fields).zip(&self.ones);
-        let given: Vec<ArgumentRows<'_, T>> = columns
+        let given: Few<ArgumentRows<'_, T>> = columns
             .map(|((&rows, &fields), &is_one)| ArgumentRows {
                 rows,
                 fields,
@@ -187,7 +192,7 @@ impl<T: Real> Stretch<'_, T> {
             })
             .collect();
         let places = places.iter_mut().zip(&self.plan.gives);
-        let mut wanted: Vec<ResultRows<'_, T>> = places
+        let mut wanted: Few<ResultRows<'_, T>> = places
             .map(|(place, &fields)| (place.as_deref_mut(), fields))
             .collect();
         program.over_rows(&given, count, self.plan.skipped, &mut wanted, self.far);

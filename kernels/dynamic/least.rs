@@ -4,7 +4,7 @@ use super::rows::Rows;
 use crate::Real;
 use crate::error::Error;
 use crate::kernels::machine::least::{least_grouped, least_of, least_of_all, least_pulled};
-use crate::kernels::machine::{Best, Found, Groups, Least, LeastPairs};
+use crate::kernels::machine::{Best, Column, Found, Groups, Least, LeastPairs};
 use crate::kernels::row::limits::LowerBound;
 
 /// The least results, and the derivatives of their sum by both lists.
@@ -89,7 +89,11 @@ impl<T: Real> Function<T> {
         upstream: Option<&[T]>,
     ) -> Result<LeastBars<T>, Error> {
         let (best, [a_bar, b_bar]) = self.of_lists(&a, &b, |engine, call, lists| {
-            least_pulled(engine, call, lists, groups, wanted, upstream)
+            let zeros = |list: &Column<'_, T>| vec![T::default(); list.len() * list.fields];
+            let mut bars = lists.each_ref().map(zeros);
+            let [a, b] = &mut bars;
+            let best = least_pulled(engine, call, lists, groups, wanted, upstream, [a, b])?;
+            Ok((best, bars))
         })?;
         Ok((best, a_bar, b_bar))
     }

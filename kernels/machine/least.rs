@@ -124,11 +124,8 @@ pub(crate) fn best_of<T>(found: Option<Found<T>>, of_rows: bool) -> Option<Best<
     Some(Best { value, index })
 }
 
-/// The derivatives of least results: the results, and the cotangents of both lists.
-pub(crate) type LeastBars<T> = (Vec<Option<Found<T>>>, [Vec<T>; 2]);
-
-/// Returns the least results of a search, and the cotangents of both lists: the derivative of the sum of the results,
-/// each times its number of `upstream` (or one). Equal pairs share a cotangent equally.
+/// Returns the least results of a search, and adds the cotangents of both lists to `bars`: the derivative of the sum of
+/// the results, each times its number of `upstream` (or one). Equal pairs share a cotangent equally.
 ///
 /// Pairs without a cotangent are not differentiated. The numbers of both lists are here.
 pub(crate) fn least_pulled<T: Real>(
@@ -138,7 +135,8 @@ pub(crate) fn least_pulled<T: Real>(
     groups: Option<Groups<'_>>,
     wanted: Least<T>,
     upstream: Option<&[T]>,
-) -> Result<LeastBars<T>, Error> {
+    bars: [&mut [T]; 2],
+) -> Result<Vec<Option<Found<T>>>, Error> {
     wanted.check()?;
     let is_away = |list: &Column<'_, T>| list.held.is_some_and(|own| own.here().is_none());
     if lists.iter().any(is_away) {
@@ -172,9 +170,6 @@ pub(crate) fn least_pulled<T: Real>(
     let pairs: Vec<_> = pairs
         .filter(|(_, factor)| *factor != T::default())
         .collect();
-    let mut bars = lists
-        .each_ref()
-        .map(|list| vec![T::default(); list.len() * list.fields]);
     let places = [0, 1].map(|k| {
         let place = |(pair, _): &(&Found<T>, T)| if k == 0 { pair.row } else { pair.column };
         pairs.iter().map(place).collect::<Vec<_>>()
@@ -219,5 +214,5 @@ pub(crate) fn least_pulled<T: Real>(
             }
         }
     }
-    Ok((found.best, bars))
+    Ok(found.best)
 }

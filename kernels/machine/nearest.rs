@@ -4,8 +4,8 @@ use super::least::{best_of, least_grouped, least_of, least_of_all, least_pulled,
 use super::{Best, Column, Columns, Found, Groups, Least, Machine, Number, On};
 use crate::error::Error;
 use crate::kernels::call::modes::Function;
-use crate::kernels::row::item::Single;
-use crate::kernels::row::item::rows::shapes;
+use crate::kernels::row::item::rows::fill_whole;
+use crate::kernels::row::item::{Item, Single};
 
 /// The least result of every row or column, up to a cap.
 type Nearest<A> = Vec<Option<Best<Number<A>>>>;
@@ -13,19 +13,19 @@ type Nearest<A> = Vec<Option<Best<Number<A>>>>;
 /// Gradients of both lists.
 type Bars<A, B> = (Vec<<A as Columns>::Item>, Vec<<B as Columns>::Item>);
 
-/// Returns both lists of gradients as shapes.
-fn placed<A, B>(
+/// Returns the results of a function that adds gradients to the numbers of both lists, and these gradients.
+fn placed<A, B, R>(
     lists: &[Column<'_, Number<A>>; 2],
-    [a_bar, b_bar]: [Vec<Number<A>>; 2],
-) -> Bars<A, B>
+    run: impl FnOnce([&mut [Number<A>]; 2]) -> Result<R, Error>,
+) -> Result<(R, Bars<A, B>), Error>
 where
     A: Columns<Item: Single>,
     B: Columns<Item: Single<Scalar = Number<A>>>,
 {
-    (
-        shapes(lists[0].len(), &a_bar),
-        shapes(lists[1].len(), &b_bar),
-    )
+    let mut by_a = A::Item::many(lists[0].len());
+    let mut by_b = B::Item::many(lists[1].len());
+    let made = fill_whole(&mut by_a, |a| fill_whole(&mut by_b, |b| run([a, b])))?;
+    Ok((made, (by_a, by_b)))
 }
 
 /// Defines calls with two lists: the name, further arguments, the result, and the body from machine, call and lists.
@@ -213,8 +213,10 @@ calls! {
     /// # Ok::<(), geograd::Error>(())
     /// ```
     row_min_grad(cap: Number<A>) -> (Nearest<A>, Vec<A::Item>, Vec<B::Item>) = |machine, call, lists| {
-        let (best, bars) = least_pulled(machine, &call, &lists, None, side(true, cap), None)?;
-        let (a_bar, b_bar) = placed::<A, B>(&lists, bars);
+        let wanted = side(true, cap);
+        let (best, (a_bar, b_bar)) = placed::<A, B, _>(&lists, |bars| {
+            least_pulled(machine, &call, &lists, None, wanted, None, bars)
+        })?;
         Ok((best.into_iter().map(|best| best_of(best, true)).collect(), a_bar, b_bar))
     };
     /// Returns [`column_min_within`](Machine::column_min_within) and the gradient of the sum of the results.
@@ -223,8 +225,10 @@ calls! {
     ///
     /// As [`row_min_within`](Machine::row_min_within).
     column_min_grad(cap: Number<A>) -> (Nearest<A>, Vec<A::Item>, Vec<B::Item>) = |machine, call, lists| {
-        let (best, bars) = least_pulled(machine, &call, &lists, None, side(false, cap), None)?;
-        let (a_bar, b_bar) = placed::<A, B>(&lists, bars);
+        let wanted = side(false, cap);
+        let (best, (a_bar, b_bar)) = placed::<A, B, _>(&lists, |bars| {
+            least_pulled(machine, &call, &lists, None, wanted, None, bars)
+        })?;
         Ok((best.into_iter().map(|best| best_of(best, false)).collect(), a_bar, b_bar))
     };
     /// Returns [`nearest`](Machine::nearest) and the gradient of its result.
@@ -233,8 +237,10 @@ calls! {
     ///
     /// As [`nearest`](Machine::nearest).
     nearest_grad(cap: Number<A>) -> (Option<Found<Number<A>>>, Vec<A::Item>, Vec<B::Item>) = |machine, call, lists| {
-        let (best, bars) = least_pulled(machine, &call, &lists, None, Least::Groups(cap), None)?;
-        let (a_bar, b_bar) = placed::<A, B>(&lists, bars);
+        let wanted = Least::Groups(cap);
+        let (best, (a_bar, b_bar)) = placed::<A, B, _>(&lists, |bars| {
+            least_pulled(machine, &call, &lists, None, wanted, None, bars)
+        })?;
         Ok((best.into_iter().next().flatten(), a_bar, b_bar))
     };
     /// Returns the adjoint of [`row_min_within`](Machine::row_min_within): derivatives of the sum of `upstream[i]` times
@@ -245,8 +251,10 @@ calls! {
     /// As [`row_min_within`](Machine::row_min_within), and for an upstream of another length or one that is not finite.
     row_min_vjp(cap: Number<A>, upstream: &[Number<A>]) -> Bars<A, B> = |machine, call, lists| {
         let wanted = side(true, cap);
-        let (_, bars) = least_pulled(machine, &call, &lists, None, wanted, Some(upstream))?;
-        Ok(placed::<A, B>(&lists, bars))
+        let (_, bars) = placed::<A, B, _>(&lists, |bars| {
+            least_pulled(machine, &call, &lists, None, wanted, Some(upstream), bars)
+        })?;
+        Ok(bars)
     };
     /// Returns the adjoint of [`column_min_within`](Machine::column_min_within).
     ///
@@ -255,8 +263,10 @@ calls! {
     /// As [`row_min_vjp`](Machine::row_min_vjp).
     column_min_vjp(cap: Number<A>, upstream: &[Number<A>]) -> Bars<A, B> = |machine, call, lists| {
         let wanted = side(false, cap);
-        let (_, bars) = least_pulled(machine, &call, &lists, None, wanted, Some(upstream))?;
-        Ok(placed::<A, B>(&lists, bars))
+        let (_, bars) = placed::<A, B, _>(&lists, |bars| {
+            least_pulled(machine, &call, &lists, None, wanted, Some(upstream), bars)
+        })?;
+        Ok(bars)
     };
     /// Returns the adjoint of [`nearest_grouped`](Machine::nearest_grouped): derivatives of the sum of `upstream[g]`
     /// times the result of group `g`.
@@ -266,7 +276,9 @@ calls! {
     /// As [`nearest_grouped`](Machine::nearest_grouped), and as [`row_min_vjp`](Machine::row_min_vjp).
     nearest_grouped_vjp(groups: Groups<'_>, cap: Number<A>, upstream: &[Number<A>]) -> Bars<A, B> = |machine, call, lists| {
         let wanted = Least::Groups(cap);
-        let (_, bars) = least_pulled(machine, &call, &lists, Some(groups), wanted, Some(upstream))?;
-        Ok(placed::<A, B>(&lists, bars))
+        let (_, bars) = placed::<A, B, _>(&lists, |bars| {
+            least_pulled(machine, &call, &lists, Some(groups), wanted, Some(upstream), bars)
+        })?;
+        Ok(bars)
     };
 }

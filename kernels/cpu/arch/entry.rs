@@ -141,7 +141,7 @@ entries! {
     /// Boxes of space, widened by the errors of distances.
     widen(boxes: &mut [Lane<T>]) = blocks::widen::<T, V>;
     /// Lower bounds of the distances of boxes from one box, or of their squares.
-    gaps(own: &[T; SPACE], boxes: Tiles<'_, T>, squared: bool, out: &mut [Lane<T>]) = blocks::gaps::<T, V>;
+    gaps(own: &[T; SPACE], boxes: Tiles<'_, T>, out: &mut [Lane<T>]) = blocks::gaps::<T, V>;
     /// Results of picked columns, put into a row per field.
     scatter(results: Planes<'_, T>, columns: &[u32], first: usize, rows: &mut [T], stride: usize) = blocks::scatter::<T, V>;
     /// Derivatives of all columns, added up.

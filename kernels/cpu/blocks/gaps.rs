@@ -47,13 +47,13 @@ pub(crate) fn widen<T: Real, V: Vector<T>>(boxes: &mut [Lane<T>]) {
     }
 }
 
-/// Writes a lower bound of the distance of each box from one box, or of its square: negative where they overlap, by
-/// the shortest translation along an axis that parts them.
+/// Writes a lower bound of the distance of each box from one box: its square, or where they overlap the shortest
+/// translation along an axis that parts them, which is negative. Roots would take longer than all else;
+/// [`reach`] is the bound that a distance is compared with.
 #[inline(always)]
 pub(crate) fn gaps<T: Real, V: Vector<T>>(
     own: &[T; SPACE],
     boxes: Tiles<'_, T>,
-    squared: bool,
     out: &mut [Lane<T>],
 ) {
     let own = [0, 1, 2, 3, 4, 5].map(
@@ -61,8 +61,10 @@ pub(crate) fn gaps<T: Real, V: Vector<T>>(
         |k: usize| V::splat(own[k]),
     );
     let zero = V::zero();
-    let shrunk = V::lit(1.0 - share::<T>());
-    let largest = V::lit(T::format().largest());
+    let shrunk = 1.0 - share::<T>();
+    let (shrunk, largest) = (V::lit(shrunk * shrunk), V::lit(T::format().largest()));
+    // A result saturates below the largest number.
+    let most = largest * shrunk;
     for (tile, out) in boxes.lanes.as_chunks::<SPACE>().0.iter().zip(out) {
         for at in V::starts() {
             let mut gap = [zero; 3];
@@ -75,15 +77,20 @@ pub(crate) fn gaps<T: Real, V: Vector<T>>(
             let inside = gap[0].most(gap[1]).most(gap[2]);
             let [x, y, z] = [gap[0].most(zero), gap[1].most(zero), gap[2].most(zero)];
             let square = x * x + y * y + z * z;
-            let apart = V::select(square.at_most(largest), square.root(), inside);
-            let apart = apart.most(inside) * shrunk;
-            let bound = match squared {
-                true => apart.most(zero) * apart.most(zero),
-                false => V::select(inside.at_most(zero), inside, apart),
-            };
-            // A result saturates below the largest number.
-            let bound = bound.least(largest * shrunk);
+            let bound = V::select(inside.at_most(zero), inside, square * shrunk);
+            let bound = bound.least(most);
             V::select(bound.equals(bound), bound, -largest).write(out, at);
         }
     }
+}
+
+/// Returns the number that the [gaps](gaps()) of all boxes have at most whose shapes have a result up to a limit: a
+/// distance, or the square of one.
+pub(crate) fn reach<T: Real>(limit: T, squared: bool) -> T {
+    if squared || limit <= T::default() {
+        return limit;
+    }
+    // More than roundings of squares, also of those below the least normal number.
+    let tiny = T::lit(256.0 / T::format().largest());
+    limit * limit * T::lit(1.0 + 8.0 * T::format().epsilon()) + tiny
 }

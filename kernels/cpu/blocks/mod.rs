@@ -9,7 +9,7 @@ mod rows;
 
 pub(crate) use bounds::{near, search};
 pub(crate) use derivatives::{accumulate, accumulate_picked};
-pub(crate) use gaps::{SPACE, gaps, widen};
+pub(crate) use gaps::{SPACE, gaps, reach, widen};
 pub(crate) use numbers::{
     add_up, all_aabb2, all_finite, all_up_to, all_within, count_above, largest,
 };

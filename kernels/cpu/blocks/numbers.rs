@@ -105,6 +105,15 @@ pub(crate) fn all_within<T: Real, V: Vector<T>, const FIELDS: usize>(
     low: [f64; FIELDS],
     high: [f64; FIELDS],
 ) -> bool {
+    let is_within = |(i, &x): (usize, &T)| {
+        let k = i % FIELDS;
+        let (x, low, high) = (if signed[k] { x.unsigned() } else { x }, low[k], high[k]);
+        x.at_most(T::lit(high)) && (x.at_least(T::lit(low)) || x.equals(T::default()))
+    };
+    // Less work than to write the limits.
+    if numbers.len() < FIELDS * TILE {
+        return numbers.iter().enumerate().all(is_within);
+    }
     // Sixteen items are FIELDS lanes, whose limits repeat.
     let limits = |k: usize, of: [f64; FIELDS]| {
         let mut lane = Lane([T::default(); TILE]);
@@ -133,12 +142,7 @@ pub(crate) fn all_within<T: Real, V: Vector<T>, const FIELDS: usize>(
         all = within::<T, V>(numbers, limits, all);
     }
     let done = whole.len() * TILE;
-    all.all()
-        && rest.iter().enumerate().all(|(i, &x)| {
-            let k = (done + i) % FIELDS;
-            let (x, low, high) = (if signed[k] { x.unsigned() } else { x }, low[k], high[k]);
-            x.at_most(T::lit(high)) && (x.at_least(T::lit(low)) || x.equals(T::default()))
-        })
+    all.all() && (done..).zip(rest).all(is_within)
 }
 
 /// Returns `true` if every axis-aligned box is finite and no lower bound is above its upper one.

@@ -7,6 +7,6 @@ pub(crate) mod rows;
 
 pub use layout::{Item, Leaf, Quick, Results, Single, Target, WithJacobian};
 pub(crate) use layout::{
-    STRETCH, TargetPiece, by_kind, by_shape, item_of, jacobians, leaf, leaves_of, put, target,
+    STRETCH, TargetPiece, by_kind, by_shape, item_of, jacobians, leaf, leaves_of, target,
     targets_of, width, widths,
 };
