@@ -25,5 +25,5 @@ macro_rules! families {
 families! {
     overlap iou interval distance intersection shape moved gaussian convention
     overlap3 iou3 distance3 intersection3 camera
-    polygon extent ring path path3 solid hull_measure hull3 overlap_solid curved3 contact motion
+    polygon extent ring path path3 solid hull_measure hull3 overlap_solid curved3 contact motion curve
 }

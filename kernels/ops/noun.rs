@@ -3,6 +3,7 @@ use crate::camera::{BrownConrady, Fisheye, Pinhole};
 use crate::convention::{
     Detectron2Box, ImageBox, KittiBox, Le90, Le135, LidarBox, NuScenesBox, OpenCvBox, Xyxyr,
 };
+use crate::curve::{Arc2, Cubic2, Quadratic2};
 use crate::iou::Exponent;
 use crate::motion::Motion3;
 use crate::{
@@ -96,6 +97,9 @@ nouns! {
     [] Vec2<f64>:        "point",    "a point",                    "two points",                    PLANE;
     [] Vec3<f64>:        "point",    "a point",                    "two points",                    SPACE;
     [] Segment2<f64>:    "segment",  "a segment",                  "two segments",                  PLANE;
+    [] Quadratic2<f64>:  "curve",    "a quadratic Bézier curve",   "two quadratic Bézier curves",   PLANE;
+    [] Cubic2<f64>:      "curve",    "a cubic Bézier curve",       "two cubic Bézier curves",       PLANE;
+    [] Arc2<f64>:        "curve",    "a circular arc",             "two circular arcs",             PLANE;
     [] Triangle2<f64>:   "triangle", "a triangle",                 "two triangles",                 PLANE;
     [] Circle<f64>:      "circle",   "a circle",                   "two circles",                   PLANE;
     [] Capsule2<f64>:    "capsule",  "a capsule",                  "two capsules",                  PLANE;

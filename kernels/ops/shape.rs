@@ -1,4 +1,5 @@
 //! Measures of shapes, and shapes made from shapes, as operations.
+use crate::curve::{Arc2, Cubic2, Quadratic2};
 use crate::kernels::ops::noun::Quad;
 use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{Area, Centroid, Circumcircle, Incircle, Perimeter, SignedArea};
@@ -9,6 +10,12 @@ table! {
     /// The [signed area](Triangle2::signed_area) of {}.
     SignedArea: (shape) -> S { shape.signed_area() } [rigid(2)] (jumps Never) derivative Reverse {
         "signed_area_triangle": Triangle2;
+    }
+    /// The signed area between {} and its chord: positive where it runs counter-clockwise.
+    SignedArea: (curve) -> S { curve.signed_area() } [rigid(2)] (jumps Never) derivative Reverse {
+        "signed_area_quadratic": Quadratic2;
+        "signed_area_cubic": Cubic2;
+        "signed_area_arc": Arc2;
     }
     /// The [signed area](crate::ring::signed_area) of {}.
     SignedArea: (ring) -> S { ring::signed_area(&ring) } [rigid(2)] (jumps Never) derivative Reverse {

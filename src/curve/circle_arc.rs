@@ -24,6 +24,7 @@ pub struct Arc2<S> {
     /// Its end.
     pub to: Vec2<S>,
     /// The tangent of a quarter of the angle that it sweeps counter-clockwise.
+    #[shape(number)]
     pub bulge: S,
 }
 
@@ -50,10 +51,10 @@ fn sign(k: i32) -> f64 {
 
 /// Returns `sin(x)/x`, 1 at zero.
 #[inline]
-fn sinc<S: Scalar<Mask = bool>>(x: S) -> S {
-    if x.magnitude().above(S::lit(FLAT)) {
-        return x.sin().over(x);
-    }
+fn sinc<S: Scalar>(x: S) -> S {
+    let wide = x.magnitude().above(S::lit(FLAT));
+    let divisor = S::select(wide, x, S::one());
+    let small = S::select(wide, S::zero(), x);
     let mut factorial = 1.0;
     let coefficients: [f64; 9] = std::array::from_fn(|k| {
         if k > 0 {
@@ -61,7 +62,8 @@ fn sinc<S: Scalar<Mask = bool>>(x: S) -> S {
         }
         1.0 / factorial
     });
-    series(x * x, coefficients.into_iter())
+    let sum = series(small * small, coefficients.into_iter());
+    S::select(wide, divisor.sin().over(divisor), sum)
 }
 
 impl<S> Arc2<S> {
@@ -121,6 +123,9 @@ impl<S: Scalar<Mask = bool>> Arc2<S> {
         };
         Arc2::new(from, to, if is_counter_clockwise { bulge } else { -bulge })
     }
+}
+
+impl<S: Scalar> Arc2<S> {
     /// Returns the angle in radians that it sweeps, positive counter-clockwise.
     #[must_use]
     pub fn sweep(self) -> S {
@@ -145,19 +150,25 @@ impl<S: Scalar<Mask = bool>> Arc2<S> {
     pub(super) fn quarter(self) -> S {
         self.bulge.atan2(S::one())
     }
-    fn is_flat(self) -> bool {
-        self.bulge.magnitude().at_most(S::lit(FLAT))
+    /// Returns whether the bulge is small, the bulge or zero if it is not, and the bulge or one if it is.
+    fn flatness(self) -> (S::Mask, S, S) {
+        let flat = self.bulge.magnitude().at_most(S::lit(FLAT));
+        let (small, wide) = (S::zero(), S::one());
+        (
+            flat,
+            S::select(flat, self.bulge, small),
+            S::select(flat, wide, self.bulge),
+        )
     }
     /// Returns the length over that of the chord: `(1 + b²) atan(b)/b`.
     fn stretch(self) -> S {
-        if self.is_flat() {
-            let terms = (0..TERMS).map(|k| match k {
-                0 => 1.0,
-                k => -sign(k) * 2.0 / f64::from((2 * k + 1) * (2 * k - 1)),
-            });
-            return series(self.bulge * self.bulge, terms);
-        }
-        (self.bulge + S::one().over(self.bulge)) * self.quarter()
+        let (flat, small, wide) = self.flatness();
+        let terms = (0..TERMS).map(|k| match k {
+            0 => 1.0,
+            k => -sign(k) * 2.0 / f64::from((2 * k + 1) * (2 * k - 1)),
+        });
+        let sum = series(small * small, terms);
+        S::select(flat, sum, (wide + S::one().over(wide)) * self.quarter())
     }
     /// Returns the length.
     #[must_use]
@@ -167,17 +178,15 @@ impl<S: Scalar<Mask = bool>> Arc2<S> {
     /// Returns the signed area between the arc and its chord: positive where it runs counter-clockwise.
     #[must_use]
     pub fn signed_area(self) -> S {
-        let (b, along) = (self.bulge, self.to - self.from);
+        let ((flat, small, b), along) = (self.flatness(), self.to - self.from);
         // ((1 + b²)² atan(b) − b (1 − b²))/(8 b²) of the squared chord.
-        let share = if self.is_flat() {
-            let terms =
-                (1..=TERMS).map(|k| sign(k) / f64::from((2 * k + 1) * (2 * k - 1) * (2 * k - 3)));
-            b * series(b * b, terms)
-        } else {
-            let inverse = S::one().over(b);
-            let sum = b + inverse;
-            (sum * (sum * self.quarter()) - (inverse - b)) * S::lit(0.125)
-        };
+        let terms =
+            (1..=TERMS).map(|k| sign(k) / f64::from((2 * k + 1) * (2 * k - 1) * (2 * k - 3)));
+        let of_flat = small * series(small * small, terms);
+        let inverse = S::one().over(b);
+        let sum = b + inverse;
+        let of_wide = (sum * (sum * self.quarter()) - (inverse - b)) * S::lit(0.125);
+        let share = S::select(flat, of_flat, of_wide);
         let length = along.length();
         (length * (share * length)).canonical()
     }
@@ -186,11 +195,12 @@ impl<S: Scalar<Mask = bool>> Arc2<S> {
     pub fn point(self, t: S) -> Vec2<S> {
         let half = self.quarter() + self.quarter();
         // The chord to the point has half of its sweep less than the tangent, and the length of the sine of it.
-        let ratio = if self.is_flat() {
-            t * sinc(t * half).over(sinc(half))
-        } else {
-            (t * half).sin() * ((self.bulge + S::one().over(self.bulge)).halved())
-        };
+        let (flat, _, wide) = self.flatness();
+        let ratio = S::select(
+            flat,
+            t * sinc(t * half).over(sinc(half)),
+            (t * half).sin() * ((wide + S::one().over(wide)).halved()),
+        );
         self.from + turned(self.to - self.from, (t - S::one()) * half) * ratio
     }
     /// Returns the derivative of the point by the parameter: a vector of the arc's length.

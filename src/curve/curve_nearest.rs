@@ -1,8 +1,10 @@
 //! The place of a curve that is nearest to a point, and the distance.
 use super::bernstein;
-use super::bezier::Cubic2;
+use super::bezier::{Cubic2, Quadratic2};
 use super::circle_arc::Arc2;
 use super::curve_piece::CurvePiece;
+use crate::distance::edge::scale_of;
+use crate::scalar::largest;
 use crate::{Scalar, Vec2};
 
 /// The place of a curve that a search found: a record, whose replay gives the point with derivatives.
@@ -61,27 +63,109 @@ impl<S: Scalar<Mask = bool>> CurvePiece<S> {
         self.distance_replay(point, self.closest(point))
     }
     fn parameter(self, point: Vec2<S>, place: CurvePlace) -> S {
-        // Ratios of slopes below this are rounding.
-        const LEVEL: f64 = 1e-10;
-        let mut t = S::lit(place.parameter);
+        let t = S::lit(place.parameter);
         if !place.is_inside {
             return t;
         }
-        for _ in 0..2 {
-            let (away, along) = (self.point(t) - point, self.derivative(t));
-            let unit = S::from_primal(unit_of([along.x, along.y]));
-            let along = along * unit;
-            let bend = self.second_derivative(t) * unit;
-            let (square, turn) = (along.dot(along), (away * unit).dot(bend));
-            let slope = (square + turn).primal();
-            let size = square.primal() + turn.primal().magnitude();
-            if slope.above(size * S::Primal::lit(LEVEL)) {
-                let residual = (away * unit).dot(along);
-                let change = residual - S::from_primal(residual.primal());
-                t -= change.over(S::from_primal(slope));
-            }
+        let at = |t: S| [self.point(t), self.derivative(t), self.second_derivative(t)];
+        moving(at, point, t)
+    }
+}
+
+/// Returns a parameter, at which the way from a point to a curve is perpendicular to it, with the derivatives of that
+/// place, given the curve's point and both derivatives at a parameter.
+fn moving<S: Scalar>(at: impl Fn(S) -> [Vec2<S>; 3], point: Vec2<S>, mut t: S) -> S {
+    // Ratios of slopes below this are rounding.
+    const LEVEL: f64 = 1e-10;
+    for _ in 0..2 {
+        let [on_curve, along, bend] = at(t);
+        let unit: S = scale_of(largest([along.x, along.y]));
+        let (away, along, bend) = ((on_curve - point) * unit, along * unit, bend * unit);
+        let (square, turn) = (along.dot(along), away.dot(bend));
+        let slope = (square + turn).primal();
+        let size = square.primal() + turn.primal().magnitude();
+        let clear = slope.above(size * S::Primal::lit(LEVEL));
+        let slope = S::from_primal(S::Primal::select(clear, slope, S::Primal::one()));
+        let change = away.dot(along).with_primal(S::Primal::zero()).over(slope);
+        t -= S::select(clear, change, S::zero());
+    }
+    t
+}
+
+/// Where the nearest place of a curve is: a record.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum CurveSpot {
+    /// At the start, which stays.
+    Start,
+    /// At the end, which stays.
+    End,
+    /// Between both, where it moves.
+    Inside,
+}
+
+/// A curve by a parameter, from 0 at its start to 1 at its end.
+pub(crate) trait Parametric<S: Scalar>: Copy {
+    /// Returns the curve's point and both derivatives at a parameter.
+    fn at(self, t: S) -> [Vec2<S>; 3];
+    /// Returns the first and the last point.
+    fn ends(self) -> [Vec2<S>; 2];
+}
+
+impl<S: Scalar> Parametric<S> for Quadratic2<S> {
+    fn at(self, t: S) -> [Vec2<S>; 3] {
+        [self.point(t), self.derivative(t), self.second_derivative()]
+    }
+    fn ends(self) -> [Vec2<S>; 2] {
+        [self.points[0], self.points[2]]
+    }
+}
+
+impl<S: Scalar> Parametric<S> for Cubic2<S> {
+    fn at(self, t: S) -> [Vec2<S>; 3] {
+        [self.point(t), self.derivative(t), self.second_derivative(t)]
+    }
+    fn ends(self) -> [Vec2<S>; 2] {
+        [self.points[0], self.points[3]]
+    }
+}
+
+impl<S: Scalar> Parametric<S> for Arc2<S> {
+    fn at(self, t: S) -> [Vec2<S>; 3] {
+        [self.point(t), self.derivative(t), self.second_derivative(t)]
+    }
+    fn ends(self) -> [Vec2<S>; 2] {
+        [self.from, self.to]
+    }
+}
+
+/// Returns where on a curve the nearest place to a point is, and its parameter.
+pub(crate) fn nearest_spot<S: Scalar<Mask = bool>>(
+    curve: CurvePiece<S>,
+    point: Vec2<S>,
+) -> (CurveSpot, S) {
+    let place = curve.closest(point);
+    let spot = match (place.is_inside, place.parameter) {
+        (true, _) => CurveSpot::Inside,
+        (false, 0.0) => CurveSpot::Start,
+        _ => CurveSpot::End,
+    };
+    (spot, S::lit(place.parameter))
+}
+
+/// Returns the point of a curve that [`nearest_spot`] found, with the derivatives of the nearest point.
+pub(crate) fn spot_replayed<S: Scalar>(
+    curve: impl Parametric<S>,
+    point: Vec2<S>,
+    (spot, parameter): (CurveSpot, S),
+) -> Vec2<S> {
+    let [start, end] = curve.ends();
+    match spot {
+        CurveSpot::Start => start,
+        CurveSpot::End => end,
+        CurveSpot::Inside => {
+            let [on_curve, ..] = curve.at(moving(|t| curve.at(t), point, parameter));
+            on_curve
         }
-        t
     }
 }
 
@@ -175,9 +259,11 @@ fn inside_of(curve: Cubic2<f64>, point: Vec2<f64>, found: &mut impl FnMut(f64)) 
 
 /// Returns a parameter after Newton steps towards the foot of a point, as long as they come nearer to it.
 fn polished(curve: Cubic2<f64>, point: Vec2<f64>, start: f64) -> f64 {
+    // At a point where a curve turns back each step takes off a third; others need two or three.
+    const STEPS: usize = 50;
     let residual = |t: f64| (curve.point(t) - point).dot(curve.derivative(t));
     let (mut t, mut left) = (start, residual(start));
-    for _ in 0..3 {
+    for _ in 0..STEPS {
         let along = curve.derivative(t);
         let bend = (curve.point(t) - point).dot(curve.second_derivative(t));
         let next = t - left / (along.dot(along) + bend);

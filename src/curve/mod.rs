@@ -58,6 +58,7 @@ mod path_verbs;
 
 pub use bezier::{Cubic2, Quadratic2};
 pub use circle_arc::Arc2;
-pub use curve_nearest::CurvePlace;
+pub use curve_nearest::{CurvePlace, CurveSpot};
+pub(crate) use curve_nearest::{nearest_spot, spot_replayed};
 pub use curve_path::{CurveElement, CurvePath};
 pub use curve_piece::CurvePiece;

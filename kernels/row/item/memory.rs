@@ -1,4 +1,5 @@
 //! Shapes seen as plain numbers in memory.
+use crate::curve::{Arc2, Cubic2, Quadratic2};
 use crate::distance::{Contact, FarthestPoints, PointPair};
 use crate::distance3::{Contact3, PointPair3};
 use crate::intersection::{Chord, CommonPart, CommonPoint, Hit};
@@ -32,7 +33,7 @@ where
     any_of!(Vec2 Vec3 Rotation2 Rotation3 Pose2 Pose3 Aabb2 Aabb3 Obb2 Obb3 YawBox3
         Segment2 Line2 Ray2 Triangle2 Circle Capsule2 Interval
         Segment3 Line3 Ray3 Triangle3 Plane3 Sphere Capsule3 Cylinder Cone Tetrahedron RoundBox3 Symmetric3
-        Ellipsoid Disc
+        Ellipsoid Disc Quadratic2 Cubic2 Arc2
         PointPair FarthestPoints Contact PointPair3 Contact3
         Chord Hit CommonPoint CommonPart Hit3 CommonLine3 CommonPoint3; 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16)
         && size_of::<P>() == P::LEN * size_of::<P::Scalar>()

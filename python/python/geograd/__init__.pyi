@@ -966,6 +966,26 @@ class Aabb3(Shape):
     @property
     def max(self) -> Vec3: ...
 
+class Arc2(Shape):
+    """A circular arc of the plane from one point to another. The bulge is the tangent of a quarter of the
+    angle that it sweeps counter-clockwise, as in DXF files: 0 is straight, 1 half a circle.
+
+    An array whose last axis has its numbers, in this order:
+
+        from.x: coordinate
+        from.y: coordinate
+        to.x: coordinate
+        to.y: coordinate
+        bulge: number
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def from_(self) -> Vec2: ...
+    @property
+    def to(self) -> Vec2: ...
+    @property
+    def bulge(self) -> Any: ...
+
 class AreaMoments(Shape):
     """The second moments of an area: integrals of x * x, y * y and x * y.
 
@@ -1358,6 +1378,24 @@ class ConvexPolygon6(Shape):
     def vertices(self) -> list[Any]: ...
     @property
     def codes(self) -> list[Any]: ...
+
+class Cubic2(Shape):
+    """A cubic Bezier curve of the plane, by its control points.
+
+    An array whose last axis has its numbers, in this order:
+
+        points[0].x: coordinate
+        points[0].y: coordinate
+        points[1].x: coordinate
+        points[1].y: coordinate
+        points[2].x: coordinate
+        points[2].y: coordinate
+        points[3].x: coordinate
+        points[3].y: coordinate
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def points(self) -> list[Any]: ...
 
 class Cxcywh(Shape):
     """Cxcywh.
@@ -2060,6 +2098,22 @@ class Pose3(Shape):
     def rotation(self) -> Any: ...
     @property
     def translation(self) -> Vec3: ...
+
+class Quadratic2(Shape):
+    """A quadratic Bezier curve of the plane, by its control points.
+
+    An array whose last axis has its numbers, in this order:
+
+        points[0].x: coordinate
+        points[0].y: coordinate
+        points[1].x: coordinate
+        points[1].y: coordinate
+        points[2].x: coordinate
+        points[2].y: coordinate
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def points(self) -> list[Any]: ...
 
 class Ray2(Shape):
     """Half a line of the plane: its start, and a direction of any length.
@@ -2991,8 +3045,14 @@ class _closest_points(Verb):
             The nearest points of two triangles. Points jump to another nearest feature.
         closest_points(a: Triangle3, b: Triangle3) -> PointPair3
             The nearest points of two triangles of space. Points jump to another nearest feature.
+        closest_points(point: Vec2, curve: Arc2) -> PointPair
+            The nearest points of a point and a circular arc. Points jump to another place that is as near.
+        closest_points(point: Vec2, curve: Cubic2) -> PointPair
+            The nearest points of a point and a cubic Bézier curve. Points jump to another place that is as near.
         closest_points(point: Vec2, shape: Obb2) -> PointPair
             The nearest points of a point and a rotated box. Points jump to another nearest feature.
+        closest_points(point: Vec2, curve: Quadratic2) -> PointPair
+            The nearest points of a point and a quadratic Bézier curve. Points jump to another place that is as near.
         closest_points(point: Vec2, segment: Segment2) -> PointPair
             The nearest points of a point and a segment. Points jump to another nearest feature.
         closest_points(point: Vec2, triangle: Triangle2) -> PointPair
@@ -3049,7 +3109,13 @@ class _closest_points(Verb):
     @overload
     def __call__(self, a: Triangle3, b: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
+    def __call__(self, point: Vec2, curve: Arc2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
+    def __call__(self, point: Vec2, curve: Cubic2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
     def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
+    def __call__(self, point: Vec2, curve: Quadratic2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
     @overload
     def __call__(self, point: Vec2, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
     @overload
@@ -3512,14 +3578,20 @@ class _distance(Verb):
             The distance of two triangles of space.
         distance(point: Vec2, shape: Aabb2) -> number
             The distance of a point and an axis-aligned box.
+        distance(point: Vec2, curve: Arc2) -> number
+            The distance of a point and a circular arc, 0 on the curve.
         distance(point: Vec2, capsule: Capsule2) -> number
             The distance of a point and a capsule.
         distance(point: Vec2, circle: Circle) -> number
             The distance of a point and a circle.
         distance(point: Vec2, polygon: ConvexPolygon6) -> number
             The distance of a point from a convex polygon of up to N vertices, 0 inside.
+        distance(point: Vec2, curve: Cubic2) -> number
+            The distance of a point and a cubic Bézier curve, 0 on the curve.
         distance(point: Vec2, shape: Obb2) -> number
             The distance of a point and a rotated box.
+        distance(point: Vec2, curve: Quadratic2) -> number
+            The distance of a point and a quadratic Bézier curve, 0 on the curve.
         distance(point: Vec2, segment: Segment2) -> number
             The distance of a point and a segment.
         distance(point: Vec2, triangle: Triangle2) -> number
@@ -3712,13 +3784,19 @@ class _distance(Verb):
     @overload
     def __call__(self, point: Vec2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, point: Vec2, curve: Arc2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, point: Vec2, capsule: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec2, polygon: ConvexPolygon6, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, point: Vec2, curve: Cubic2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, curve: Quadratic2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec2, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -5299,6 +5377,12 @@ class _signed_area(Verb):
     """The signed area of shapes of the plane: positive for counter-clockwise corners.
 
     Rows:
+        signed_area(curve: Arc2) -> number
+            The signed area between a circular arc and its chord: positive where it runs counter-clockwise.
+        signed_area(curve: Cubic2) -> number
+            The signed area between a cubic Bézier curve and its chord: positive where it runs counter-clockwise.
+        signed_area(curve: Quadratic2) -> number
+            The signed area between a quadratic Bézier curve and its chord: positive where it runs counter-clockwise.
         signed_area(shape: Triangle2) -> number
             The signed area of a triangle.
         signed_area(ring: Vec2x4) -> number
@@ -5306,6 +5390,12 @@ class _signed_area(Verb):
         signed_area(paths: ring) -> number
             The signed area of a ring: positive where it turns counter-clockwise.
     """
+    @overload
+    def __call__(self, curve: Arc2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, curve: Cubic2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, curve: Quadratic2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, shape: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload

@@ -21,6 +21,10 @@ SHAPES = {
     "Vec2": "A point of the plane, or a vector.",
     "Segment2": "A segment of the plane, from one end to the other.",
     "Circle": "A disc of the plane.",
+    "Quadratic2": "A quadratic Bezier curve of the plane, by its control points.",
+    "Cubic2": "A cubic Bezier curve of the plane, by its control points.",
+    "Arc2": "A circular arc of the plane from one point to another. The bulge is the tangent of a quarter of the angle that it sweeps "
+    "counter-clockwise, as in DXF files: 0 is straight, 1 half a circle.",
     "Triangle2": "A triangle of the plane, by its corners in any order.",
     "Capsule2": "All points at most a radius from a segment of the plane.",
     "Contact": "How deep two shapes are in each other, and the direction of the shortest shift of the second one that parts them.",

@@ -6,6 +6,7 @@ mod cases;
 mod cell_oracle;
 mod cells;
 mod curve_places;
+mod curve_rows;
 mod curves;
 #[cfg(feature = "boolean")]
 mod cut;
