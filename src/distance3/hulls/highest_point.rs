@@ -80,9 +80,13 @@ fn chosen(
 #[inline(always)]
 fn group_of(at: impl Fn(usize) -> Vec3<f64>) -> Group {
     let mut group = [[0.0; LANES]; 3];
-    for lane in 0..LANES {
-        let Vec3 { x, y, z } = at(lane);
-        (group[0][lane], group[1][lane], group[2][lane]) = (x, y, z);
+    let [xs, ys, zs] = &mut group;
+    for (lane, ((x, y), z)) in xs.iter_mut().zip(ys).zip(zs).enumerate() {
+        Vec3 {
+            x: *x,
+            y: *y,
+            z: *z,
+        } = at(lane);
     }
     group
 }
@@ -126,7 +130,8 @@ impl PointGroups {
                     } else {
                         most[lane]
                     };
-                    none[lane] += x - x;
+                    // NaN of a number that is not finite.
+                    none[lane] += x * 0.0;
                 }
             }
         }
