@@ -15,6 +15,8 @@ pub(super) struct ArgumentRanges {
     second: usize,
     /// The number of coordinates of a point: 2 in the plane, 3 in space.
     pub dimension: usize,
+    /// `true` for Bézier curves as second argument, on which only the first and the last of their points are.
+    has_controls: bool,
 }
 
 impl ArgumentRanges {
@@ -36,6 +38,7 @@ impl ArgumentRanges {
             second: a.fields(),
             kinds,
             dimension,
+            has_controls: matches!(&b.name()[..], "Quadratic2" | "Cubic2"),
         })
     }
 
@@ -47,13 +50,15 @@ impl ArgumentRanges {
         }
     }
 
-    /// Returns the ranges of the points of an argument: centres, ends and vertices, which all belong to the shape.
-    pub fn points(&self, k: usize) -> impl Iterator<Item = Range<usize>> {
-        let range = self.range(k);
-        let places = places(&self.kinds[range.clone()]);
-        places
-            .into_iter()
-            .map(move |(at, n)| range.start + at..range.start + at + n)
+    /// Returns the ranges of the points of the second argument that belong to it: centres, ends and vertices.
+    pub fn own_points(&self) -> Vec<Range<usize>> {
+        let range = self.range(1);
+        let mut places = places(&self.kinds[range.clone()]);
+        if self.has_controls {
+            places = [places[0], places[places.len() - 1]].into();
+        }
+        let place = |(at, n)| range.start + at..range.start + at + n;
+        places.into_iter().map(place).collect()
     }
 
     /// Returns the numbers of an argument shrunk to its first point; `None` for unbounded shapes.

@@ -219,7 +219,7 @@ pub(super) const SENTENCES: &[Sentence] = &[
             verb: "",
             of: [POINT, B],
             arguments: |case| {
-                let points: Vec<_> = case.parts.points(1).collect();
+                let points = case.parts.own_points();
                 // The input selects one of them.
                 let bits = case
                     .input
