@@ -92,7 +92,7 @@ fn moving<S: Scalar>(at: impl Fn(S) -> [Vec2<S>; 3], point: Vec2<S>, mut t: S) -
     t
 }
 
-/// Where the nearest place of a curve is: a record.
+/// The record of a search for the nearest place of a curve: an end, or a place between both.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum CurveSpot {
     /// At the start, which stays.
