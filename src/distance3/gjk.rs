@@ -51,17 +51,15 @@ impl Difference for PointDifference {
     }
 }
 
-/// A point of b less one of a, both, and their codes.
+/// A point of b less one of a, that of a, and the codes of both.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CodedDifference {
     /// The vector from the point of a to that of b.
     pub way: Vec3<f64>,
     /// The point of a.
     pub a: Vec3<f64>,
-    /// The point of b.
-    pub b: Vec3<f64>,
     /// Numbers that say on which corners, ends or rims the points are.
-    pub codes: [usize; 2],
+    pub codes: [u32; 2],
 }
 
 impl Difference for CodedDifference {

@@ -1,7 +1,9 @@
 //! Pieces of round solids that move with the normal, so that their points need no coordinates: three unknowns less for
 //! an ellipsoid, two for a rim or a side.
-use super::piece::{Piece, PieceKind};
+use super::bend::Bend;
+use super::piece::{Piece, PieceKind, Place};
 use super::smooth_solid::Solid;
+use crate::arrays::Each;
 use crate::{Scalar, Vec3};
 
 /// The difference of the numbers of a piece that moves with the normal and of the same one by coordinates.
@@ -124,6 +126,98 @@ impl<S: Scalar> Solid<S> {
                 }
             }
             Solid::Box { .. } | Solid::Simplex { .. } => self.piece(k),
+        }
+    }
+}
+
+impl Solid<f64> {
+    /// Returns a piece about a place, by its number, seen along its outer normal and two directions across it.
+    #[inline]
+    pub fn bent(
+        &self,
+        k: usize,
+        place: &Place<f64>,
+        normal: Vec3<f64>,
+        across: &[Vec3<f64>; 2],
+    ) -> Bend {
+        let Some(turned) = k.checked_sub(TURNED) else {
+            return Bend::of(&self.piece(k), place, across);
+        };
+        let circle = |ways: &[Vec3<f64>; 2], radius: f64| {
+            let [x, y] = ways.each_as(|way| way.dot(normal));
+            let over = 1.0 / (x * x + y * y).sqrt();
+            let (x, y) = (x * over, y * over);
+            let aside = ways[1] * x - ways[0] * y;
+            let [p, q] = across.each_as(|t| t.dot(aside));
+            let by = radius * over;
+            let arm = (ways[0] * x + ways[1] * y) * radius;
+            (arm, [by * p * p, by * p * q, by * q * q])
+        };
+        match self {
+            Solid::Ball { center, ways, half } => {
+                let along = [0, 1, 2].each_as(|k: usize| half[k] * ways[k].dot(normal));
+                let [x, y, z] = along;
+                let over = 1.0 / (x * x + y * y + z * z).sqrt();
+                let arm =
+                    (ways[0] * (half[0] * x) + ways[1] * (half[1] * y) + ways[2] * (half[2] * z))
+                        * over;
+                // The sum over the axes less the part along the arm.
+                let [p, q] =
+                    across.each_as(|t| [0, 1, 2].each_as(|k: usize| half[k] * ways[k].dot(t)));
+                let [of_p, of_q] = across.each_as(|t| t.dot(arm));
+                let dot = |[x, y, z]: [f64; 3], [u, v, w]: [f64; 3]| x * u + y * v + z * w;
+                let turn = [
+                    (dot(p, p) - of_p * of_p) * over,
+                    (dot(p, q) - of_p * of_q) * over,
+                    (dot(q, q) - of_q * of_q) * over,
+                ];
+                Bend::point(*center + arm, turn)
+            }
+            Solid::Disc {
+                center,
+                ways,
+                radius,
+            } => {
+                let (arm, turn) = circle(ways, *radius);
+                Bend::point(*center + arm, turn)
+            }
+            Solid::Cylinder {
+                start,
+                axis,
+                ways,
+                radius,
+            } => {
+                let (arm, turn) = circle(ways, *radius);
+                match turned {
+                    2 => Bend::point(*start + arm, turn),
+                    3 => Bend::point(*start + *axis + arm, turn),
+                    _ => Bend {
+                        steps: [*axis, Vec3::zero()],
+                        shares: 1,
+                        ..Bend::point(*start + arm + *axis * place.s, turn)
+                    },
+                }
+            }
+            Solid::Cone {
+                apex,
+                axis,
+                ways,
+                radius,
+            } => {
+                let (arm, turn) = circle(ways, *radius);
+                let slant = *axis + arm;
+                match turned {
+                    1 => Bend::point(*apex + slant, turn),
+                    _ => Bend {
+                        steps: [slant, Vec3::zero()],
+                        shares: 1,
+                        ..Bend::point(*apex + slant * place.s, turn.map(|x| x * place.s))
+                    },
+                }
+            }
+            Solid::Box { .. } | Solid::Simplex { .. } => {
+                Bend::of(&self.piece(turned), place, across)
+            }
         }
     }
 }

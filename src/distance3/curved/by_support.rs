@@ -152,6 +152,9 @@ impl<A: SupportFunction<Scalar = f64>> Supported for InUnits<A, f64> {
             ..self.piece_at(k, normal)
         }
     }
+    fn point(&self, _: usize, _: &Place<f64>, normal: Vec3<f64>) -> Vec3<f64> {
+        self.at(normal)
+    }
     fn likely(&self, _: &Mix, _: Vec3<f64>, _: Vec3<f64>) -> Option<(usize, Place<f64>)> {
         Some((0, Place::zero()))
     }
@@ -195,7 +198,10 @@ macro_rules! own {
                 Guard::of(self).and(other)
             }
             fn relation(self, other: $B) -> Relation<S> {
-                relate(self, other)
+                relate(self, other, true)
+            }
+            fn gap(self, other: $B) -> Relation<S> {
+                relate(self, other, false)
             }
             fn farthest(self, other: $B) -> S {
                 farthest(self, other)

@@ -7,12 +7,13 @@
 //! distance from above, and the difference is stated. Of solids that overlap it proves a direction to be one of the best
 //! near it; the expansion bounds how much better another could be.
 use super::super::gjk::{Gap, PointDifference, gap};
+use super::bend::FEW;
 use super::expand::exits;
 use super::level::shared;
 use super::piece::{Piece, PieceKind, Place};
 use super::solid_pair::{Found, Solids};
 use super::support::{Supported, start};
-use super::touch::{FEW, MOST, System, Touch, tangents};
+use super::touch::{Constants, System, Touch, tangents};
 use super::touching::{Candidate, candidates};
 use crate::{Scalar, Vec3};
 
@@ -107,7 +108,7 @@ impl Solids<'_> {
         let (mut touch, mut kept): (_, Option<(Found, f64)>) = (first, None);
         for step in 0..STEPS {
             let [a, b] = self.pieces(pieces, touch.normal);
-            let system: System<MOST> = System::new([&a, &b], &touch);
+            let system: System = System::new([&a, &b], &touch);
             let on = Touch {
                 normal: touch.normal,
                 a: self.a.clamped(pieces[0], &touch.a),
@@ -404,9 +405,9 @@ impl<'a> Solids<'a> {
     }
 }
 
-/// Returns the touch of two solids that are clearly apart or overlap clearly, and the equations about it, where that is
-/// simple.
-pub fn quick(a: &dyn Supported, b: &dyn Supported) -> Option<(Found, System<FEW>)> {
+/// Returns the touch of two solids that are clearly apart or overlap clearly, and the constants of its replay, where that
+/// is simple.
+pub fn quick(a: &dyn Supported, b: &dyn Supported) -> Option<(Found, Constants<FEW>)> {
     Solids::new(a, b).quick()
 }
 

@@ -1,7 +1,7 @@
 //! The numbers that a search of curved solids hands to its replay, and the record of its decisions.
 use super::piece::Place;
 use super::solid_pair::Found;
-use super::touch::{Frame, MOST, System, Touch, Units};
+use super::touch::{Constants, Frame, MOST, Touch, Units};
 use crate::arrays::Each;
 use crate::{Scalar, Vec3};
 
@@ -84,12 +84,12 @@ impl<'a, S: Scalar> Hints<'a, S> {
     }
 }
 
-/// Returns the record of a touch and the list of its hints, given the equations about it, the units, and how directions
+/// Returns the record of a touch and the list of its hints, given the constants of its replay, the units, and how directions
 /// across axes begin.
 #[inline]
 pub fn of<S: Scalar, const N: usize>(
     found: &Found,
-    system: &System<N>,
+    constants: &Constants<N>,
     scale: S,
     by_x: [S; 2],
 ) -> (CurvedRecord, [S; HINTS]) {
@@ -98,7 +98,7 @@ pub fn of<S: Scalar, const N: usize>(
         settled: found.settled,
     };
     let Touch { normal, a, b } = &found.touch;
-    let (first, [of_a, of_b]) = (system.frame.tangents[0], &system.frame.units);
+    let (first, [of_a, of_b]) = (constants.frame.tangents[0], &constants.frame.units);
     let mut all = [S::zero(); HINTS];
     (all[0], all[1], all[2]) = (scale, by_x[0], by_x[1]);
     let head = [
@@ -120,9 +120,9 @@ pub fn of<S: Scalar, const N: usize>(
         *place = bounded(x);
     }
     let rows = all[HINTS - MOST * MOST..].chunks_exact_mut(MOST);
-    for (row, by) in rows.zip(system.inverse()).take(system.count) {
-        for (place, x) in row.iter_mut().zip(by).take(system.count) {
-            *place = bounded(x);
+    for (row, by) in rows.zip(&constants.inverse).take(constants.count) {
+        for (place, x) in row.iter_mut().zip(by).take(constants.count) {
+            *place = bounded(*x);
         }
     }
     (record, all)

@@ -352,7 +352,10 @@ macro_rules! hulls {
                 $guard
             }
             fn relation(self, other: $B) -> Relation<S> {
-                relate(self, other)
+                relate(self, other, true)
+            }
+            fn gap(self, other: $B) -> Relation<S> {
+                relate(self, other, false)
             }
             fn facing(&self, other: &$B, normal: Vec3<S>) -> [PatchName; 2] {
                 [self.face(normal), other.face(-normal)]

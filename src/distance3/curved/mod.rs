@@ -23,6 +23,7 @@
 //! equally deep one counts. On the borders of pieces, such as a rim, the derivative belongs to one of them.
 //!
 //! The search decides in `f64`, also for `f32`. Numbers over other formats have no relation: it is zero.
+mod bend;
 mod by_normal;
 mod by_support;
 mod curved_replay;
@@ -64,7 +65,7 @@ use piece::{Piece, Place};
 pub(crate) use slopes_by_hand::curved_slopes;
 use smooth_solid::{Solid, begins_by_x};
 use support::Supported;
-use touch::{MOST, System};
+use touch::System;
 
 /// A convex shape of space whose surface consists of smooth pieces, inflated by a radius.
 pub(crate) trait Curved: Copy + Pack<Scalar: Scalar> {
@@ -132,27 +133,81 @@ impl<S: Scalar> Placed<S> for Solid<S> {
     }
 }
 
-/// Returns the decisions about two shapes and the hints of a search for their nearest points, or the farthest.
-fn search<S, A, B>(a: &A, b: &B, farthest: bool) -> (CurvedRecord, [S; HINTS])
-where
-    S: Scalar<Mask = bool>,
-    A: Curved<Scalar = S>,
-    B: Curved<Scalar = S>,
-{
-    let from = a.anchor_point().constant();
-    let begin = |axis: Option<Vec3<S>>| axis.map_or(S::zero(), begins_by_x);
-    let by_x = [begin(a.axis()), begin(b.axis())];
-    let reach = a.reach(from).most(b.reach(from));
-    let scale = scale_of::<S>(reach);
-    let of_a = a.in_units(from, scale, by_x[0]).plain();
-    let of_b = b.in_units(from, scale, by_x[1]).plain();
-    let (record, hints) = match of_a.zip(of_b) {
-        Some((of_a, of_b)) => decided(&of_a, &of_b, farthest, scale, by_x),
-        None => hints::none(),
-    };
-    noted::<S::Primal>(1, [record.settled.into()]);
-    noted::<S::Primal>(32, record.pieces.into_iter().flatten());
-    (record, hints)
+/// Two shapes in the units of a search, and these units.
+struct InSearch<S, A, B> {
+    /// The point to which they are relative.
+    from: Vec3<S>,
+    scale: S,
+    /// For each one if the directions across its axis begin with that across x, zero if across y.
+    by_x: [S; 2],
+    a: A,
+    b: B,
+}
+
+impl<S: Scalar, A: Placed<S>, B: Placed<S>> InSearch<S, A, B> {
+    /// Returns two shapes in units by the size of both.
+    #[inline]
+    fn new(
+        a: &impl Curved<Scalar = S, Placed = A>,
+        b: &impl Curved<Scalar = S, Placed = B>,
+    ) -> Self {
+        let from = a.anchor_point().constant();
+        let begin = |axis: Option<Vec3<S>>| axis.map_or(S::zero(), begins_by_x);
+        let by_x = [begin(a.axis()), begin(b.axis())];
+        let reach = a.reach(from).most(b.reach(from));
+        Self::by(a, b, scale_of::<S>(reach), by_x)
+    }
+    /// Returns two shapes in given units.
+    #[inline]
+    fn by(
+        a: &impl Curved<Scalar = S, Placed = A>,
+        b: &impl Curved<Scalar = S, Placed = B>,
+        scale: S,
+        by_x: [S; 2],
+    ) -> Self {
+        let from = a.anchor_point().constant();
+        InSearch {
+            from,
+            scale,
+            by_x,
+            a: a.in_units(from, scale, by_x[0]),
+            b: b.in_units(from, scale, by_x[1]),
+        }
+    }
+    /// Returns the decisions about them and the hints of a search for their nearest points, or the farthest.
+    #[inline]
+    fn search(&self, farthest: bool) -> (CurvedRecord, [S; HINTS])
+    where
+        S: Scalar<Mask = bool>,
+    {
+        let (record, hints) = match self.a.plain().zip(self.b.plain()) {
+            Some((of_a, of_b)) => decided(&of_a, &of_b, farthest, self.scale, self.by_x),
+            None => hints::none(),
+        };
+        noted::<S::Primal>(1, [record.settled.into()]);
+        noted::<S::Primal>(32, record.pieces.into_iter().flatten());
+        (record, hints)
+    }
+    /// Returns the relation of the points that a search found; zero for shapes that are not finite.
+    #[inline]
+    fn related(
+        &self,
+        record: CurvedRecord,
+        hints: &Hints<'_, S>,
+        side: f64,
+        has_points: bool,
+    ) -> Relation<S> {
+        let found = replay(&self.a, &self.b, record, hints, side, has_points);
+        let back = S::one().over(self.scale);
+        let apart = found.apart * back;
+        Relation {
+            apart,
+            square: square_of_gap(apart),
+            normal: found.normal,
+            on_a: self.from + found.on_a * back,
+            on_b: self.from + found.on_b * back,
+        }
+    }
 }
 
 /// Returns the decisions about two solids and the hints.
@@ -165,8 +220,8 @@ fn decided<S: Scalar>(
     scale: S,
     by_x: [S; 2],
 ) -> (CurvedRecord, [S; HINTS]) {
-    if !farthest && let Some((found, system)) = curved_search::quick(a, b) {
-        return hints::of(&found, &system, scale, by_x);
+    if !farthest && let Some((found, constants)) = curved_search::quick(a, b) {
+        return hints::of(&found, &constants, scale, by_x);
     }
     let (found, side) = match farthest {
         true => (curved_search::search_farthest(a, b), -1.0),
@@ -176,42 +231,10 @@ fn decided<S: Scalar>(
         Some(found) => {
             let found = found.replayed([a, b]);
             let [of_a, of_b] = solid_pair::pieces([a, b], &found, side);
-            let system: System<MOST> = System::new([&of_a, &of_b], &found.touch);
-            hints::of(&found, &system, scale, by_x)
+            let system: System = System::new([&of_a, &of_b], &found.touch);
+            hints::of(&found, &system.constants(), scale, by_x)
         }
         None => hints::none(),
-    }
-}
-
-/// Returns the relation of the points of two shapes that a search found; zero for shapes that are not finite.
-fn related<S, A, B>(
-    a: &A,
-    b: &B,
-    (record, hints): (CurvedRecord, &[S; HINTS]),
-    side: f64,
-    has_points: bool,
-) -> Relation<S>
-where
-    S: Scalar,
-    A: Curved<Scalar = S>,
-    B: Curved<Scalar = S>,
-{
-    let hints = &Hints::load(hints);
-    let from = a.anchor_point().constant();
-    let [of_a, of_b] = hints.by_x;
-    let (of_a, of_b) = (
-        a.in_units(from, hints.scale, of_a),
-        b.in_units(from, hints.scale, of_b),
-    );
-    let found = replay(&of_a, &of_b, record, hints, side, has_points);
-    let back = S::one().over(hints.scale);
-    let apart = found.apart * back;
-    Relation {
-        apart,
-        square: square_of_gap(apart),
-        normal: found.normal,
-        on_a: from + found.on_a * back,
-        on_b: from + found.on_b * back,
     }
 }
 
@@ -223,7 +246,7 @@ where
     A: Curved<Scalar = S>,
     B: Curved<Scalar = S>,
 {
-    search(a, b, false)
+    InSearch::new(a, b).search(false)
 }
 
 /// Returns the relation of two shapes from the decisions and hints of [`curved_search`]. Normal and points are zero unless
@@ -241,7 +264,9 @@ where
     A: Curved<Scalar = S>,
     B: Curved<Scalar = S>,
 {
-    inflated(a, b, related(a, b, (record, hints), 1.0, has_points))
+    let hints = &Hints::load(hints);
+    let both = InSearch::by(a, b, hints.scale, hints.by_x);
+    inflated(a, b, both.related(record, hints, 1.0, has_points))
 }
 
 /// Returns the relation of two shapes from that of the solids which they inflate.
@@ -260,15 +285,16 @@ where
     }
 }
 
-/// Returns the relation of two shapes.
-fn relate<S, A, B>(a: A, b: B) -> Relation<S>
+/// Returns the relation of two shapes, without normal and points unless they are asked for.
+fn relate<S, A, B>(a: A, b: B, has_points: bool) -> Relation<S>
 where
     S: Scalar<Mask = bool>,
     A: Curved<Scalar = S>,
     B: Curved<Scalar = S>,
 {
-    let (record, hints) = search(&a, &b, false);
-    let found = related(&a, &b, (record, &hints), 1.0, true);
+    let both = InSearch::new(&a, &b);
+    let (record, hints) = both.search(false);
+    let found = both.related(record, &Hints::load(&hints), 1.0, has_points);
     inflated(&a, &b, found)
 }
 
@@ -279,8 +305,11 @@ where
     A: Curved<Scalar = S>,
     B: Curved<Scalar = S>,
 {
-    let (record, hints) = search(&a, &b, true);
-    let longest = related(&a, &b, (record, &hints), -1.0, false).apart;
+    let both = InSearch::new(&a, &b);
+    let (record, hints) = both.search(true);
+    let longest = both
+        .related(record, &Hints::load(&hints), -1.0, false)
+        .apart;
     let none = longest.at_most(S::zero());
     let radii = [a.rounding(), b.rounding()].map(|radius| radius.unwrap_or(S::zero()));
     let longest = if none { S::zero() } else { longest };
@@ -297,7 +326,11 @@ macro_rules! apart {
             }
             #[inline]
             fn relation(self, other: $B) -> Relation<S> {
-                relate(self, other)
+                relate(self, other, true)
+            }
+            #[inline]
+            fn gap(self, other: $B) -> Relation<S> {
+                relate(self, other, false)
             }
             #[inline]
             fn facing(&self, other: &$B, normal: Vec3<S>) -> [PatchName; 2] {

@@ -160,3 +160,9 @@ pub fn within(x: f64, y: f64) -> Place<f64> {
         ..Place::zero()
     }
 }
+
+/// Returns lengths as shares of the largest; ones if all are zero.
+pub fn shares(sizes: &[f64; 3]) -> [f64; 3] {
+    let most = sizes.iter().copied().fold(0.0, f64::max);
+    sizes.map(|size| if most > 0.0 { size / most } else { 1.0 })
+}

@@ -6,7 +6,7 @@ use super::curved_replay::touched;
 use super::grip::Grip;
 use super::hints::{CurvedRecord, HINTS, Hints};
 use super::in_units::halves;
-use super::{Curved, Placed, inflated};
+use super::{Curved, InSearch, Placed, inflated};
 use crate::arrays::Each;
 use crate::distance3::cored::axes;
 use crate::distance3::hulls::{ByCorners, by_turn};
@@ -164,10 +164,9 @@ where
         .filter(|_| record.settled)?
         .map(|k| k as usize);
     let hints = Hints::load(hints);
-    let from = a.anchor_point().constant();
-    let [of_a, of_b] = hints.by_x;
-    let of_a = a.in_units(from, hints.scale, of_a);
-    let of_b = b.in_units(from, hints.scale, of_b);
+    let InSearch {
+        a: of_a, b: of_b, ..
+    } = InSearch::by(a, b, hints.scale, hints.by_x);
     let (touch, apart) = touched(&of_a, &of_b, record, &hints, 1.0);
     let apart = apart * S::one().over(hints.scale);
     let found = Relation {

@@ -1,7 +1,8 @@
 //! Convex solids of plain numbers by their supports.
 use super::super::mix::Mix;
+use super::bend::Bend;
 use super::by_normal::TURNED;
-use super::piece::{Piece, PieceKind, Place};
+use super::piece::{Piece, PieceKind, Place, shares};
 use super::smooth_solid::Solid;
 use crate::{Scalar, Vec3};
 
@@ -17,6 +18,20 @@ pub trait Supported {
     fn pieces(&self) -> usize;
     /// Returns a piece by its number, seen along its outer normal.
     fn piece(&self, k: usize, normal: Vec3<f64>) -> Piece<f64>;
+    /// Returns the same about a place, seen along two directions across the normal.
+    fn bend(
+        &self,
+        k: usize,
+        place: &Place<f64>,
+        normal: Vec3<f64>,
+        across: &[Vec3<f64>; 2],
+    ) -> Bend {
+        Bend::of(&self.piece(k, normal), place, across)
+    }
+    /// Returns the point at a place of a piece.
+    fn point(&self, k: usize, place: &Place<f64>, normal: Vec3<f64>) -> Vec3<f64> {
+        self.piece(k, normal).at(place)
+    }
     /// Returns the place on a piece that is as near as clamping makes it.
     fn clamped(&self, k: usize, place: &Place<f64>) -> Place<f64>;
     /// Returns a point in the middle of a piece.
@@ -175,6 +190,18 @@ impl Supported for Solid<f64> {
     fn piece(&self, k: usize, normal: Vec3<f64>) -> Piece<f64> {
         self.seen(k, normal, true)
     }
+    fn bend(
+        &self,
+        k: usize,
+        place: &Place<f64>,
+        normal: Vec3<f64>,
+        across: &[Vec3<f64>; 2],
+    ) -> Bend {
+        self.bent(k, place, normal, across)
+    }
+    fn point(&self, k: usize, place: &Place<f64>, normal: Vec3<f64>) -> Vec3<f64> {
+        self.seen(k, normal, false).at(place)
+    }
     fn coded(&self, way: Vec3<f64>) -> (Vec3<f64>, usize) {
         let point = self.support(way);
         (point, self.code(way, point))
@@ -305,10 +332,4 @@ fn on_ball(piece: &Piece<f64>, arm: Vec3<f64>, normal: Vec3<f64>, by_normal: boo
         s: 0.0,
         pull: (0..3).map(|k| along[k] * y[k]).sum(),
     }
-}
-
-/// Returns lengths as shares of the largest; ones if all are zero.
-pub fn shares(sizes: &[f64; 3]) -> [f64; 3] {
-    let most = sizes.iter().copied().fold(0.0, f64::max);
-    sizes.map(|size| if most > 0.0 { size / most } else { 1.0 })
 }

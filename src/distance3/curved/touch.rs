@@ -5,19 +5,14 @@
 //! coordinates have length one. These are the conditions for a stationary value of `n · (b − a)`, the signed distance,
 //! so that an error of a step counts by its square. No equation has a root, and all are regular where a solid is flat
 //! or has no extent, and where the distance is zero.
-use super::piece::{Piece, PieceKind, Place};
-use super::support::shares;
+use super::piece::{Piece, PieceKind, Place, shares};
 use crate::arrays::Each;
 use crate::{Scalar, Vec3};
 
 /// The most unknowns: two of the normal, four of each place.
 pub const MOST: usize = 10;
-/// The most unknowns of pieces without coordinates of length one: two of the normal, two of each place.
-pub const FEW: usize = 6;
 /// A pivot below which an equation depends on others, relative to its largest coefficient.
 const DEPENDENT: f64 = 1e-12;
-/// A determinant of two equations above which they are independent, relative to its terms.
-const CLEAR: f64 = 1e-6;
 /// A largest coefficient below which an equation says nothing; its inverse is finite in every format.
 const NONE: f64 = 1e-18;
 
@@ -67,6 +62,17 @@ pub struct Frame<S> {
     pub units: [Units<S>; 2],
 }
 
+/// The constants of a replay's step: of the equations about a touch, and the inverse of their matrix.
+#[derive(Clone, Copy, Debug)]
+pub struct Constants<const N: usize> {
+    /// The constants of the equations.
+    pub frame: Frame<f64>,
+    /// The inverse: changes of the unknowns by residuals.
+    pub inverse: [[f64; N]; N],
+    /// The number of unknowns.
+    pub count: usize,
+}
+
 /// Returns two directions of length one across a direction and each other.
 pub fn tangents(normal: Vec3<f64>) -> [Vec3<f64>; 2] {
     let axis = match normal.x.abs() < 0.6 {
@@ -81,34 +87,27 @@ pub fn tangents(normal: Vec3<f64>) -> [Vec3<f64>; 2] {
 /// The equations about a touch: their derivatives by all unknowns, decomposed. Equations that depend on others are left
 /// out, with as many unknowns, which keep their values.
 #[derive(Clone, Copy)]
-pub struct System<const N: usize> {
-    matrix: [[f64; N]; N],
+pub struct System {
+    matrix: [[f64; MOST]; MOST],
     /// The number of unknowns.
     pub count: usize,
     /// The number of independent equations.
     pub rank: usize,
-    rows: [usize; N],
-    columns: [usize; N],
+    rows: [usize; MOST],
+    columns: [usize; MOST],
     /// Its constants.
     pub frame: Frame<f64>,
 }
 
-impl<const N: usize> System<N> {
+impl System {
     /// Returns the system of two pieces near a touch.
     pub fn new(pieces: [&Piece<f64>; 2], touch: &Touch<f64>) -> Self {
-        let mut system = Self::equations(pieces, touch);
-        system.decompose();
-        system
-    }
-    /// Returns the same before it is decomposed.
-    #[inline(always)]
-    pub fn equations(pieces: [&Piece<f64>; 2], touch: &Touch<f64>) -> Self {
         let places = [&touch.a, &touch.b];
         let gap = touch
             .normal
             .dot(pieces[1].at(&touch.b) - pieces[0].at(&touch.a));
         let mut system = System {
-            matrix: [[0.0; N]; N],
+            matrix: [[0.0; MOST]; MOST],
             count: 2,
             rank: 0,
             rows: std::array::from_fn(|k| k),
@@ -122,6 +121,7 @@ impl<const N: usize> System<N> {
         system.matrix[1][1] = -gap;
         system.add(pieces[0], places[0], touch.normal, 0);
         system.add(pieces[1], places[1], -touch.normal, 1);
+        system.decompose();
         system
     }
     /// Adds the unknowns and equations of a piece with an outer normal.
@@ -171,24 +171,10 @@ impl<const N: usize> System<N> {
         }
         self.count = share + usize::from(kind.has_axis());
     }
-    /// Returns the changes that make up for residuals of two equations that are not decomposed; `None` of others, and of
-    /// equations that depend on each other.
-    #[inline(always)]
-    pub fn solve_two(&self, residuals: &[f64; N]) -> Option<[f64; N]> {
-        let [[a, b], [c, d]] = [0, 1].map(|k: usize| [self.matrix[k][0], self.matrix[k][1]]);
-        let (product, other) = (a * d, b * c);
-        let rest = product - other;
-        let over = 1.0 / rest;
-        let (x, y) = (residuals[0], residuals[1]);
-        let mut changes = [0.0; N];
-        (changes[0], changes[1]) = ((d * x - b * y) * over, (a * y - c * x) * over);
-        let clear = rest.abs() > CLEAR * product.abs().max(other.abs());
-        (self.count == 2 && clear).then_some(changes)
-    }
     /// Decomposes the matrix, the largest pivot first.
-    pub fn decompose(&mut self) {
+    fn decompose(&mut self) {
         let (n, m) = (self.count, &mut self.matrix);
-        let mut scales = [0.0; N];
+        let mut scales = [0.0; MOST];
         for (scale, row) in scales.iter_mut().zip(&*m).take(n) {
             let most = row[..n].iter().fold(0.0_f64, |most, x| most.max(x.abs()));
             *scale = if most > NONE { 1.0 / most } else { 0.0 };
@@ -220,14 +206,14 @@ impl<const N: usize> System<N> {
         }
     }
     /// Returns the changes of the unknowns that make up for residuals.
-    pub fn solve(&self, residuals: &[f64; N]) -> [f64; N] {
+    pub fn solve(&self, residuals: &[f64; MOST]) -> [f64; MOST] {
         let factor = |i: usize, j: usize| self.matrix[self.rows[i]][self.columns[j]];
-        let mut sums = [0.0; N];
+        let mut sums = [0.0; MOST];
         for i in 0..self.rank {
             let all = residuals[self.rows[i]];
             sums[i] = (0..i).fold(all, |sum, j| sum - sums[j] * factor(i, j));
         }
-        let mut changes = [0.0; N];
+        let mut changes = [0.0; MOST];
         for i in (0..self.rank).rev() {
             let later = i + 1..self.rank;
             let sum = later.fold(sums[i], |sum, j| {
@@ -238,25 +224,28 @@ impl<const N: usize> System<N> {
         }
         changes
     }
-    /// Returns the inverse of the matrix: the changes by each residual. Rows and columns of equations that are left out
-    /// are zero.
-    pub fn inverse(&self) -> [[f64; N]; N] {
-        let mut inverse = [[0.0; N]; N];
+    /// Returns the constants of a replay. Rows and columns of equations that are left out are zero.
+    pub fn constants(&self) -> Constants<MOST> {
+        let mut inverse = [[0.0; MOST]; MOST];
         for k in 0..self.count {
-            let mut residuals = [0.0; N];
+            let mut residuals = [0.0; MOST];
             residuals[k] = 1.0;
             for (row, change) in inverse.iter_mut().zip(self.solve(&residuals)) {
                 row[k] = change;
             }
         }
-        inverse
+        Constants {
+            frame: self.frame,
+            inverse,
+            count: self.count,
+        }
     }
 }
 
 impl<S: Scalar> Frame<S> {
     /// Returns by how much a touch misses the equations.
-    pub fn residuals<const N: usize>(&self, pieces: [&Piece<S>; 2], touch: &Touch<S>) -> [S; N] {
-        let mut out = [S::zero(); N];
+    pub fn residuals(&self, pieces: [&Piece<S>; 2], touch: &Touch<S>) -> [S; MOST] {
+        let mut out = [S::zero(); MOST];
         let way = pieces[1].at(&touch.b) - pieces[0].at(&touch.a);
         let gap = touch.normal.dot(way);
         for (out, &tangent) in out.iter_mut().zip(&self.tangents) {

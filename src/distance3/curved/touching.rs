@@ -1,6 +1,6 @@
 //! Pieces that may touch near a point.
-use super::piece::{Piece, PieceKind, Place};
-use super::support::{Supported, shares, start};
+use super::piece::{Piece, PieceKind, Place, shares};
+use super::support::{Supported, start};
 use crate::Vec3;
 use crate::arrays::sort_few;
 
