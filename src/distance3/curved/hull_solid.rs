@@ -274,6 +274,9 @@ impl Supported for HullPieces {
     fn is_plain(&self, normal: Vec3<f64>, dimension: usize) -> bool {
         self.level(normal, PLAIN * self.size()) == dimension
     }
+    fn has_axis(&self) -> bool {
+        false
+    }
     fn clamped(&self, k: usize, place: &Place<f64>) -> Place<f64> {
         let mut place = *place;
         place.s = place.s.clamp(0.0, 1.0);

@@ -195,9 +195,9 @@ impl Solids<'_> {
         let deepest = depth <= best.depth + EXACT * self.size;
         let alone = exits.all[1..].iter().all(|exit| exit.depth >= depth);
         let none_better = || {
-            self.better(&found)
-                .or_else(|| self.around(&found))
-                .is_none()
+            let round = self.a.has_axis() && self.b.has_axis();
+            let around = || round.then(|| self.around(&found))?;
+            self.better(&found).or_else(around).is_none()
         };
         (deepest && alone && none_better()).then_some((found, constants))
     }

@@ -61,6 +61,10 @@ pub trait Supported {
     fn is_plain(&self, _normal: Vec3<f64>, _dimension: usize) -> bool {
         true
     }
+    /// Returns `true` if directions around an axis may be nearly as good as each other; their search needs the pieces.
+    fn has_axis(&self) -> bool {
+        true
+    }
     /// Returns `true` if a piece moves with the normal so steadily that rounding of it is rounding of the point.
     fn is_steady(&self, _piece: usize, _normal: Vec3<f64>) -> bool {
         true
