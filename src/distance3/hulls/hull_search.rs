@@ -19,8 +19,9 @@ const APART: f64 = 1e-7;
 const LOW: f64 = 1e-11;
 /// The error of heights along a vector of length one.
 const DIGITS: f64 = 8.0 * f64::EPSILON;
-/// The number of roundings by which distances may differ that are equal.
-const TIED: f64 = 8.0;
+/// The share of the size by which distances may differ that are equal: some roundings of `f64`, which decides in every
+/// format.
+const TIED: f64 = 8.0 * f64::EPSILON;
 /// The number of roundings that a distance may have if planes decide the direction.
 const TOUCH: f64 = 32.0;
 
@@ -86,17 +87,16 @@ pub(super) fn search(
     rounding: f64,
 ) -> HullRecord {
     let columns = pair.columns();
-    let slack = TIED * rounding;
     let seen = nearest_points(&columns);
     let clear = APART.max(4.0 * TOUCH * rounding);
     if !seen.inside
         && seen.least > clear
-        && let Some(features) = few(&columns, &seen, slack)
+        && let Some(features) = few(&columns, &seen)
     {
         return HullRecord::new(&[features], false);
     }
     if seen.inside
-        && let Some(features) = expansion::deepest(&columns, seen.around(), clear, slack)
+        && let Some(features) = expansion::deepest(&columns, seen.around(), clear, TIED)
     {
         return HullRecord::new(&features, true);
     }
@@ -110,7 +110,6 @@ fn search_all(
     [mut a, mut b]: [Vec<Vec3<f64>>; 2],
     rounding: f64,
 ) -> HullRecord {
-    let slack = TIED * rounding;
     let apart = !seen.inside && seen.least > CLEAR;
     for point in a.iter_mut().chain(&mut b) {
         *point = *point * pair.units;
@@ -118,12 +117,12 @@ fn search_all(
     let (of_a, of_b) = (Body::of(&a, rounding), Body::of(&b, rounding));
     let planes = match apart {
         true => Vec::new(),
-        false => planes::best(&of_a, &of_b, slack, rounding),
+        false => planes::best(&of_a, &of_b, TIED, rounding),
     };
     let deepest = planes.first().map_or(f64::NEG_INFINITY, |plane| plane.gap);
     let overlap = seen.inside && (f64::MIN..-CLEAR).contains(&deepest);
     if !overlap {
-        let (near, distance) = nearest(&of_a, &of_b, slack);
+        let (near, distance) = nearest(&of_a, &of_b, TIED);
         // Moved by their depth, hulls that overlap touch: without the move they are no farther apart.
         let touch = TOUCH * rounding;
         let behind = deepest < 0.0 && distance <= touch - 2.0 * deepest;
@@ -135,7 +134,7 @@ fn search_all(
     }
     let mut all = Vec::new();
     for (number, plane) in planes.iter().enumerate() {
-        let found = patch::features((&of_a).into(), (&of_b).into(), plane, slack);
+        let found = patch::features((&of_a).into(), (&of_b).into(), plane, TIED);
         all.extend(found.into_iter().map(|features| HullFeatures {
             plane: number.min(255) as u8,
             ..features
@@ -196,17 +195,13 @@ impl Nearest {
 
 /// Returns the nearest features of hulls that are apart, those of the corners whose mean the iteration has found to be
 /// nearest; `None` where other corners may be as near, and where the bound from below is not reached.
-fn few(
-    [a, b]: &[PointColumns<'_>; 2],
-    seen: &Gap<CornerDifference>,
-    slack: f64,
-) -> Option<HullFeatures> {
+fn few([a, b]: &[PointColumns<'_>; 2], seen: &Gap<CornerDifference>) -> Option<HullFeatures> {
     // A hundredth of the error that a distance may have, relative to the size.
     const REACHED: f64 = 1e-12;
     let length = long(seen.way);
     let way = seen.way * (1.0 / length);
     // A short vector has few digits.
-    let low = LOW.max(4.0 * slack).max(DIGITS / length);
+    let low = LOW.max(DIGITS / length);
     let mut mixes = [Mix::default(); 2];
     for (corner, weight) in seen.weighted() {
         mixes[0].add(corner.a, weight);
@@ -291,7 +286,6 @@ fn few(
         }
         _ => return None,
     };
-    // Roundings are those of `f64` in every format: corners that are level within those of the format have been counted.
     let weight = of_a.least().min(of_b.least());
     let alone = is_aside(weight * weight * aside, distance);
     let level = of_a.is_above(a, high) && of_b.is_above(b, deep);
@@ -301,9 +295,7 @@ fn few(
 /// Returns `true` if a point at a distance from another feature is nearer to it than to what is beside its foot, given the
 /// square of how far that is.
 fn is_aside(square: f64, distance: f64) -> bool {
-    // A difference of distances that is none.
-    const GAP: f64 = TIED * f64::EPSILON;
-    square > 4.0 * GAP * (distance + GAP)
+    square > 4.0 * TIED * (distance + TIED)
 }
 
 /// Returns three corners of the highest face along a direction, over which a point is, and the point's height. The face has

@@ -236,7 +236,8 @@ where
     record
 }
 
-/// Returns the relation of two shapes from the record of [`hulls_search`]. Ties share the derivative equally.
+/// Returns the relation of two shapes from the record of [`hulls_search`]. Ties, within roundings of `f64` in every format,
+/// share the derivative equally.
 #[must_use]
 pub(crate) fn hulls_replay<S, A, B>(a: &A, b: &B, record: &HullRecord) -> Relation<S>
 where
