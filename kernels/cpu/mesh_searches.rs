@@ -6,6 +6,9 @@ use crate::mesh::{self, FaceRecord, MeshSurface, MeshTree, SearchRoom, SolidBoun
 use crate::mesh::{closest_replay, first, nearest, plain, plain_ray};
 use crate::{Pose3, Ray3, Real, Triangle3, Vec3};
 
+/// The number of queries that are read at once: their places in memory are far from each other.
+const AHEAD: usize = 16;
+
 /// Appends the nearest faces of some points. They must be finite.
 #[inline(always)]
 pub(super) fn nearest_faces<T: Real, V: Eights>(
@@ -17,13 +20,18 @@ pub(super) fn nearest_faces<T: Real, V: Eights>(
     let (mesh, tree) = (surface.mesh(), surface.tree());
     let mut room = SearchRoom::default();
     let mut known = None;
-    for &i in order {
-        let point = plain(points[i as usize]);
-        let record = nearest::<V::Eight, T>(mesh, tree, point, known, &mut room);
-        let record = record.unwrap_or(FaceRecord::NONE);
-        let [a, b, c] = mesh.plain_triangle(record.face);
-        known = Some(closest_replay(point, Triangle3 { a, b, c }, record.feature));
-        found.push(record);
+    for order in order.chunks(AHEAD) {
+        let mut ahead = [Vec3::zero(); AHEAD];
+        for (point, &i) in ahead.iter_mut().zip(order) {
+            *point = plain(points[i as usize]);
+        }
+        for &point in &ahead[..order.len()] {
+            let record = nearest::<V::Eight, T>(mesh, tree, point, known, &mut room);
+            let record = record.unwrap_or(FaceRecord::NONE);
+            let [a, b, c] = mesh.plain_triangle(record.face);
+            known = Some(closest_replay(point, Triangle3 { a, b, c }, record.feature));
+            found.push(record);
+        }
     }
 }
 
@@ -37,9 +45,15 @@ pub(super) fn first_faces<T: Real, V: Eights>(
 ) {
     let (mesh, tree) = (surface.mesh(), surface.tree());
     let mut room = SearchRoom::default();
-    for &i in order {
-        let ray = plain_ray(rays[i as usize]);
-        found.push(first::<V::Eight, T>(mesh, tree, ray, &mut room));
+    let none = Ray3::new(Vec3::zero(), Vec3::zero());
+    for order in order.chunks(AHEAD) {
+        let mut ahead = [none; AHEAD];
+        for (ray, &i) in ahead.iter_mut().zip(order) {
+            *ray = plain_ray(rays[i as usize]);
+        }
+        for &ray in &ahead[..order.len()] {
+            found.push(first::<V::Eight, T>(mesh, tree, ray, &mut room));
+        }
     }
 }
 

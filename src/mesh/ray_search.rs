@@ -24,6 +24,12 @@ pub(crate) struct TreeRay {
     start: [f32; 3],
     /// Reciprocals of the direction, whose largest component is ±1.
     inverse: [f32; 3],
+    /// The steps from the start to the origin along each axis, less its error where the ray enters bounds, with it where
+    /// the ray leaves them.
+    first: [f32; 3],
+    last: [f32; 3],
+    /// One where the ray goes down an axis, so that it meets the upper bounds first; else zero.
+    down: [usize; 3],
     /// The dominant axis and the others.
     axes: [usize; 3],
     /// The drifts along the others by a step along the dominant axis, and the sign of that step.
@@ -42,24 +48,31 @@ impl TreeRay {
             main = 2;
         }
         let way = way.map(|x| x / way[main].abs());
+        let inverse = way.map(|x| 1.0 / (x.abs().max(STEEP).copysign(x)));
         // Forward to the box in which all corners are, with room.
         let enter = (0..3).fold(0.0, |most: f64, k| {
-            let to = (-way[k].signum() * 1.01 - start[k]) / way[k];
+            let to = (-way[k].signum() * 1.01 - start[k]) * inverse[k];
             if to > most { to } else { most }
         });
         for k in 0..3 {
             start[k] += way[k] * enter;
         }
         let axes = [main, (main + 1) % 3, (main + 2) % 3];
-        let inverse = way.map(|x| (1.0 / (x.abs().max(STEEP).copysign(x))) as f32);
-        let drift = [way[axes[1]], way[axes[2]]].map(|x| (x / way[main]) as f32);
+        let ahead = way[main].signum();
+        let drift = [way[axes[1]], way[axes[2]]].map(|x| (x * ahead) as f32);
+        let inverse = inverse.map(|x| x as f32);
         let near = start.iter().all(|x| x.abs() < 1.1);
+        let start = start.map(|x| x as f32);
+        let step = |k: usize, by: f32| -(start[k] + by * inverse[k].signum()) * inverse[k];
         near.then_some(TreeRay {
-            start: start.map(|x| x as f32),
+            start,
             inverse,
+            first: [0, 1, 2].map(|k| step(k, ERROR)),
+            last: [0, 1, 2].map(|k| step(k, -ERROR)),
+            down: inverse.map(|x| usize::from(x < 0.0)),
             axes,
             drift,
-            ahead: way[main] as f32,
+            ahead: ahead as f32,
         })
     }
 }
@@ -68,12 +81,13 @@ impl TreeRay {
 #[inline(always)]
 fn entries<L: EightLanes>(node: &TreeNode, ray: &TreeRay, part: usize) -> (L, L::Mask) {
     let (mut near, mut far) = (L::all(0.0), L::all(f32::INFINITY));
+    // Products and sums err by some roundings of a place times the reciprocal: a small part of the error of starts.
     for k in 0..3 {
+        let [first, last] = [ray.down[k], 1 - ray.down[k]];
+        let planes = [&node.low[k], &node.high[k]];
         let inverse = L::all(ray.inverse[k]);
-        let low = (L::part(&node.low[k], part) - L::all(ray.start[k] + ERROR)) * inverse;
-        let high = (L::part(&node.high[k], part) - L::all(ray.start[k] - ERROR)) * inverse;
-        near = near.most(low.least(high));
-        far = far.least(low.most(high));
+        near = near.most(L::part(planes[first & 1], part) * inverse + L::all(ray.first[k]));
+        far = far.least(L::part(planes[last & 1], part) * inverse + L::all(ray.last[k]));
     }
     let widened = far * L::all(1.0 + 8.0 * f32::EPSILON);
     (near, near.at_most(widened))
