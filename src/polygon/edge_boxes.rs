@@ -95,17 +95,13 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
             limit: f64::INFINITY,
             slack: SLACK * S::format().epsilon() * spread,
         };
-        let mut few = Candidates::new();
-        // Approximate distances have roundings of their own.
-        let slack = 2.0 * search.slack;
         let wholes = [whole, others];
-        if let Some(least) = few.find(&self.edges, &other.edges, wholes, spread, slack) {
-            for ([i, j], is_apart) in few.within(beyond(least, slack)) {
-                search.compare(i, j, is_apart);
-                if search.has_met() {
-                    break;
-                }
-            }
+        let is_found = match self.edges.len().max(other.edges.len()) {
+            ..=4 => search.few::<4>(wholes, spread),
+            ..=8 => search.few::<8>(wholes, spread),
+            _ => search.few::<16>(wholes, spread),
+        };
+        if is_found {
             return search.best;
         }
         let tops = [self, other].map(|own| Node {
@@ -271,6 +267,24 @@ struct Search<'a, S> {
 }
 
 impl<S: Scalar<Mask = bool>> Search<'_, S> {
+    /// Compares the edges that approximate distances leave, given the boxes around both lists and the largest difference of
+    /// two coordinates. Returns `false` of lists that have more of them than there is room.
+    fn few<const ROOM: usize>(&mut self, wholes: [Ends; 2], spread: f64) -> bool {
+        let mut few = Candidates::<ROOM>::new();
+        // Approximate distances have roundings of their own.
+        let slack = 2.0 * self.slack;
+        let [a, b] = self.both;
+        let Some(least) = few.find(&a.edges, &b.edges, wholes, spread, slack) else {
+            return false;
+        };
+        for ([i, j], is_apart) in few.within(beyond(least, slack)) {
+            self.compare(i, j, is_apart);
+            if self.has_met() {
+                break;
+            }
+        }
+        true
+    }
     /// Compares the edges of two leaves. Returns `true` once two edges meet.
     fn leaves(&mut self, a: usize, b: usize) -> bool {
         let of = |side: usize, leaf: usize| {

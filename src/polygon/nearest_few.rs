@@ -4,8 +4,6 @@ use crate::{Scalar, Vec2};
 
 /// The most edges of one list: longer ones are faster by boxes.
 const MOST: usize = 128;
-/// The most edges of one list that can be nearest.
-const ROOM: usize = 16;
 /// Differences of coordinates of which squares and products are far from the limits of the format.
 const ORDINARY: std::ops::Range<f64> = 1e-100..1e140;
 /// The squared length from which on a parameter along an edge has its digits. Shorter edges count as points.
@@ -14,33 +12,34 @@ const LEAST: f64 = 1e-280;
 const SIDES: f64 = 64.0;
 
 /// Numbers of edges by axis, in the order of the list.
-type Plane = [[f64; ROOM]; 2];
+type Plane<const ROOM: usize> = [[f64; ROOM]; 2];
 
 /// Edges that can be nearest.
-struct Lanes {
+struct Lanes<const ROOM: usize> {
     count: usize,
     /// Their places in the list.
     places: [usize; ROOM],
-    from: Plane,
-    to: Plane,
-    along: Plane,
+    from: Plane<ROOM>,
+    to: Plane<ROOM>,
+    along: Plane<ROOM>,
     /// The reciprocals of their squared lengths.
     inverse: [f64; ROOM],
 }
 
-/// Pairs of edges that can be nearest to each other.
-pub(super) struct Candidates {
-    a: Lanes,
-    b: Lanes,
+/// Pairs of edges that can be nearest to each other, up to so many edges of one list. To clear room for sixteen takes as
+/// long as to search four.
+pub(super) struct Candidates<const ROOM: usize> {
+    a: Lanes<ROOM>,
+    b: Lanes<ROOM>,
     /// The approximate square of the distance of every pair; 0 where they may cross.
     squares: [[f64; ROOM]; ROOM],
 }
 
-impl Candidates {
+impl<const ROOM: usize> Candidates<ROOM> {
     /// Creates room for pairs.
     #[inline(always)]
     pub fn new() -> Self {
-        const NONE: Lanes = Lanes {
+        let none = || Lanes {
             count: 0,
             places: [0; ROOM],
             from: [[0.0; ROOM]; 2],
@@ -49,8 +48,8 @@ impl Candidates {
             inverse: [0.0; ROOM],
         };
         Candidates {
-            a: NONE,
-            b: NONE,
+            a: none(),
+            b: none(),
             squares: [[f64::INFINITY; ROOM]; ROOM],
         }
     }
@@ -93,10 +92,10 @@ impl Candidates {
         let count = b.count.next_multiple_of(2);
         let mut least = [f64::INFINITY; ROOM];
         for (i, squares) in self.squares.iter_mut().enumerate().take(a.count) {
-            let of = |plane: &Plane| [plane[0][i], plane[1][i]];
+            let of = |plane: &Plane<ROOM>| [plane[0][i], plane[1][i]];
             let (from, to, along) = (of(&a.from), of(&a.to), of(&a.along));
             for (j, (square, least)) in squares.iter_mut().zip(&mut least).enumerate().take(count) {
-                let of = |plane: &Plane| [plane[0][j], plane[1][j]];
+                let of = |plane: &Plane<ROOM>| [plane[0][j], plane[1][j]];
                 let (start, end, way) = (of(&b.from), of(&b.to), of(&b.along));
                 let ends_of_a = less(
                     apart(from, start, way, b.inverse[j]),
@@ -127,7 +126,7 @@ impl Candidates {
     }
 }
 
-impl Lanes {
+impl<const ROOM: usize> Lanes<ROOM> {
     /// Takes the edges within a squared distance of a box, and returns the box around them; `None` where they are too many.
     #[inline(always)]
     fn fill<S: Scalar>(
