@@ -25,7 +25,7 @@ pub(super) fn nearest_faces<T: Real, V: Eights>(
         for (point, &i) in ahead.iter_mut().zip(order) {
             *point = plain(points[i as usize]);
         }
-        for &point in &ahead[..order.len()] {
+        for &point in ahead.iter().take(order.len()) {
             let record = nearest::<V::Eight, T>(mesh, tree, point, known, &mut room);
             let record = record.unwrap_or(FaceRecord::NONE);
             let [a, b, c] = mesh.plain_triangle(record.face);
@@ -51,7 +51,7 @@ pub(super) fn first_faces<T: Real, V: Eights>(
         for (ray, &i) in ahead.iter_mut().zip(order) {
             *ray = plain_ray(rays[i as usize]);
         }
-        for &ray in &ahead[..order.len()] {
+        for &ray in ahead.iter().take(order.len()) {
             found.push(first::<V::Eight, T>(mesh, tree, ray, &mut room));
         }
     }

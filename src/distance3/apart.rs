@@ -36,10 +36,10 @@ pub trait Apart<B>: Copy {
     /// Returns the relation of the shapes to each other.
     #[doc(hidden)]
     fn relation(self, other: B) -> Relation<Self::Scalar>;
-    /// Returns the relation, perhaps without normal and points.
+    /// Returns the relation, whose normal and points may be zero. By default it has them.
     #[doc(hidden)]
     #[inline]
-    fn gap(self, other: B) -> Relation<Self::Scalar> {
+    fn relation_without_points(self, other: B) -> Relation<Self::Scalar> {
         self.relation(other)
     }
     /// Returns the longest distance. By default that of a shape without end.
@@ -125,7 +125,8 @@ pub trait Apart<B>: Copy {
 #[must_use]
 #[inline]
 pub fn signed_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
-    a.guarded_with(&b).result(a.gap(b).signed_distance())
+    a.guarded_with(&b)
+        .result(a.relation_without_points(b).signed_distance())
 }
 
 /// Returns the distance of two shapes of space, in the unit of length; 0 with derivative zero where they touch or
@@ -144,7 +145,8 @@ pub fn signed_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
 #[must_use]
 #[inline]
 pub fn distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
-    a.guarded_with(&b).result(a.gap(b).distance())
+    a.guarded_with(&b)
+        .result(a.relation_without_points(b).distance())
 }
 
 /// Returns the squared distance of two shapes of space; 0 where they touch or overlap. Once differentiable wherever the
@@ -158,7 +160,8 @@ pub fn distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
 #[must_use]
 #[inline]
 pub fn squared_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
-    a.guarded_with(&b).result(a.gap(b).squared_distance())
+    a.guarded_with(&b)
+        .result(a.relation_without_points(b).squared_distance())
 }
 
 /// Returns the points in which two shapes of space are nearest to each other.

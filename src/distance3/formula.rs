@@ -6,19 +6,19 @@ use crate::Scalar;
 /// Returns the [`signed_distance`](super::signed_distance).
 #[inline]
 pub(crate) fn signed_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
-    a.gap(b).signed_distance()
+    a.relation_without_points(b).signed_distance()
 }
 
 /// Returns the [`distance`](super::distance()).
 #[inline]
 pub(crate) fn distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
-    a.gap(b).distance()
+    a.relation_without_points(b).distance()
 }
 
 /// Returns the [`squared_distance`](super::squared_distance).
 #[inline]
 pub(crate) fn squared_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
-    a.gap(b).squared_distance()
+    a.relation_without_points(b).squared_distance()
 }
 
 /// Returns the [`closest_points`](super::closest_points).

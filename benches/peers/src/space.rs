@@ -348,20 +348,19 @@ macro_rules! in_format {
 in_format! { single, f32, parry3d, 1e-6 }
 in_format! { double, f64, parry3d_f64, 1e-12 }
 
-/// Rates on one thread, then wrong values of so many hard pairs of boxes, and of a tenth of them as hulls.
+/// Rates on one thread, then wrong values of so many hard pairs of boxes, as hulls of their corners and as boxes.
 pub fn space(count: usize) {
     println!("\n| {PAIRS} aligned pairs, one thread | ns a pair |\n| --- | ---: |");
     on_threads(1, || {
         single::rates();
         double::rates();
     });
-    let hulls = count / 10;
     println!(
-        "\n| boxes as hulls, {hulls} hard pairs | geograd wrong | largest error over the size | parry wrong | largest |\n\
+        "\n| boxes as hulls, {count} hard pairs | geograd wrong | largest error over the size | parry wrong | largest |\n\
          | --- | ---: | ---: | ---: | ---: |"
     );
-    single::wrong_hulls(hulls);
-    double::wrong_hulls(hulls);
+    single::wrong_hulls(count);
+    double::wrong_hulls(count);
     println!(
         "\n| boxes, {count} hard pairs | geograd wrong | largest error over the size | parry wrong | largest |\n\
          | --- | ---: | ---: | ---: | ---: |"

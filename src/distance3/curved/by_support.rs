@@ -200,7 +200,7 @@ macro_rules! own {
             fn relation(self, other: $B) -> Relation<S> {
                 relate(self, other, true)
             }
-            fn gap(self, other: $B) -> Relation<S> {
+            fn relation_without_points(self, other: $B) -> Relation<S> {
                 relate(self, other, false)
             }
             fn farthest(self, other: $B) -> S {

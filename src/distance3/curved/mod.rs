@@ -329,7 +329,7 @@ macro_rules! apart {
                 relate(self, other, true)
             }
             #[inline]
-            fn gap(self, other: $B) -> Relation<S> {
+            fn relation_without_points(self, other: $B) -> Relation<S> {
                 relate(self, other, false)
             }
             #[inline]

@@ -195,7 +195,7 @@ impl Solids<'_> {
         let deepest = depth <= best.depth + EXACT * self.size;
         let alone = exits.all[1..].iter().all(|exit| exit.depth >= depth);
         let none_better = || {
-            let round = self.a.has_axis() && self.b.has_axis();
+            let round = self.a.may_be_round() && self.b.may_be_round();
             let around = || round.then(|| self.around(&found))?;
             self.better(&found).or_else(around).is_none()
         };

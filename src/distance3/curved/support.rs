@@ -62,7 +62,7 @@ pub trait Supported {
         true
     }
     /// Returns `true` if directions around an axis may be nearly as good as each other; their search needs the pieces.
-    fn has_axis(&self) -> bool {
+    fn may_be_round(&self) -> bool {
         true
     }
     /// Returns `true` if a piece moves with the normal so steadily that rounding of it is rounding of the point.
