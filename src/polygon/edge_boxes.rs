@@ -98,7 +98,7 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
         let wholes = [whole, others];
         let is_found = match self.edges.len().max(other.edges.len()) {
             ..=4 => search.few::<4>(wholes, spread),
-            ..=8 => search.few::<8>(wholes, spread),
+            5..=8 => search.few::<8>(wholes, spread),
             _ => search.few::<16>(wholes, spread),
         };
         if is_found {
