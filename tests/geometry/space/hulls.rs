@@ -219,3 +219,34 @@ fn vertices_beyond_the_count_are_not_read() {
     let (a, b, c) = of(cube);
     assert!(a.is_nan() && b.is_nan() && c.is_nan());
 }
+
+#[test]
+fn edges_along_each_other_but_for_rounding_are_nearest_beside_their_ends() {
+    let hull =
+        |corners: [[f32; 3]; 8]| Hull3::<f32, 8>::from(corners.map(|[x, y, z]| Vec3::new(x, y, z)));
+    let tiny = 5.709_358e-17;
+    let a = hull([
+        [-1.5, -2.0, -1.5],
+        [-0.5, -2.0, -1.5],
+        [-1.5, -tiny, -1.5],
+        [-0.5, tiny, -1.5],
+        [-1.5, -2.0, -0.5],
+        [-0.5, -2.0, -0.5],
+        [-1.5, -tiny, -0.5],
+        [-0.5, tiny, -0.5],
+    ]);
+    let b = hull([
+        [-0.25, -3.887_427_6e-15, -0.75],
+        [0.25, -4.106_178e-15, -0.75],
+        [-0.25, 1.0, -0.75],
+        [0.25, 1.0, -0.75],
+        [-0.25, 4.106_178e-15, -0.25],
+        [0.25, 3.887_427_6e-15, -0.25],
+        [-0.25, 1.0, -0.25],
+        [0.25, 1.0, -0.25],
+    ]);
+    assert_eq!(a.signed_distance(b), 0.25);
+    assert_eq!(b.signed_distance(a), 0.25);
+    let points = a.closest_points(b);
+    assert!(((points.on_b - points.on_a).length() - 0.25).abs() < 1e-6);
+}
