@@ -185,16 +185,13 @@ impl BentPair {
                 row[k] = change;
             }
         }
-        let units = [a, b].each_as(|bend: &Bend| {
-            let length = if bend.shares == 1 {
-                bend.steps[0].length()
-            } else {
-                0.0
-            };
-            Units {
-                over: 0.0,
-                axis: if length > 0.0 { 1.0 / length } else { 0.0 },
-            }
+        // Equations that are solved have steps of some length.
+        let units = [(a, 0), (b, a.shares)].each_as(|(bend, first): (&Bend, usize)| Units {
+            over: 0.0,
+            axis: match bend.shares {
+                1 => 1.0 / lengths[first],
+                _ => 0.0,
+            },
         });
         Constants {
             frame: Frame {
@@ -224,7 +221,7 @@ fn shifted(place: &mut Place<f64>, shares: usize, [s, t]: [f64; 2]) -> [f64; 2] 
     }
 }
 
-/// Returns a touch less changes times a factor.
+/// Returns a touch less changes of the normal along two directions across it, and of the shares.
 #[inline(always)]
 pub fn moved(
     touch: &Touch<f64>,

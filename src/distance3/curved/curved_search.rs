@@ -108,7 +108,7 @@ impl Solids<'_> {
         let (mut touch, mut kept): (_, Option<(Found, f64)>) = (first, None);
         for step in 0..STEPS {
             let [a, b] = self.pieces(pieces, touch.normal);
-            let system: System = System::new([&a, &b], &touch);
+            let system = System::new([&a, &b], &touch);
             let on = Touch {
                 normal: touch.normal,
                 a: self.a.clamped(pieces[0], &touch.a),

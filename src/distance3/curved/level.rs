@@ -101,7 +101,7 @@ pub fn shared(solids: &Solids<'_>, found: Found) -> Found {
         a: on_a(at),
         b: on_b(at),
     };
-    let system: System = System::new([&of_a, &of_b], &touch);
+    let system = System::new([&of_a, &of_b], &touch);
     let error = ((of_b.at(&touch.b) - of_a.at(&touch.a)) - way).length();
     if system.rank == system.count || error > found.error.max(1e-13 * solids.size) {
         return found;

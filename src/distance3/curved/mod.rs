@@ -231,7 +231,7 @@ fn decided<S: Scalar>(
         Some(found) => {
             let found = found.replayed([a, b]);
             let [of_a, of_b] = solid_pair::pieces([a, b], &found, side);
-            let system: System = System::new([&of_a, &of_b], &found.touch);
+            let system = System::new([&of_a, &of_b], &found.touch);
             hints::of(&found, &system.constants(), scale, by_x)
         }
         None => hints::none(),

@@ -140,7 +140,7 @@ fn two_edges<P: Scalar<Primal = P>>(a: Corners<P>, b: Corners<P>) -> Touching<P>
     let up = Across::new([a[0], a[1]], [b[0], b[1]]);
     let s = held(w.cross(v).dot(up.long).over(up.square));
     let t = held((u.dot(v) * s - w.dot(v)).over(divisor(v)));
-    // Of edges that are all but parallel any first point will do, but not beside an end of the other edge.
+    // Edges that are all but parallel give any first point, which may lie beside an end of the other edge.
     let again = held(u.dot(w + v * t).over(divisor(u)));
     let s = P::select(up.clear, s, again);
     let (way, normal) = up.along(w, w + v * t - u * s);
