@@ -135,8 +135,8 @@ impl SearchLimit {
 #[inline(always)]
 pub(crate) fn bound_squares<L: EightLanes>(node: &TreeNode, point: Vec3<L>, part: usize) -> L {
     let (low, high) = (
-        part_of::<L>(&node.low, part),
-        part_of::<L>(&node.high, part),
+        part_of::<L>(&node.bounds[0], part),
+        part_of::<L>(&node.bounds[1], part),
     );
     let zero = L::all(0.0);
     let (below, above) = (low - point, point - high);

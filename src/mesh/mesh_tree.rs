@@ -97,8 +97,7 @@ impl MeshTree {
         let own = self.nodes.len();
         self.lowest.push(u32::MAX);
         self.nodes.push(TreeNode {
-            low: [[f32::INFINITY; 8]; 3],
-            high: [[f32::NEG_INFINITY; 8]; 3],
+            bounds: [[[f32::INFINITY; 8]; 3], [[f32::NEG_INFINITY; 8]; 3]],
             children: [NO_CHILD; 8],
         });
         for (k, (start, end)) in parts(order, bounds, depth).into_iter().enumerate() {
@@ -152,8 +151,8 @@ impl MeshTree {
                 };
                 bounds_of_nodes[number] = bounds_of_nodes[number].with(&bounds);
                 for axis in 0..3 {
-                    node.low[axis][k] = bounds.low[axis];
-                    node.high[axis][k] = bounds.high[axis];
+                    node.bounds[0][axis][k] = bounds.low[axis];
+                    node.bounds[1][axis][k] = bounds.high[axis];
                 }
             }
         }

@@ -13,10 +13,8 @@ pub const PACKET: u32 = 1 << 31;
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(32))]
 pub struct TreeNode {
-    /// The lower bounds along each axis.
-    pub low: [EightNumbers; 3],
-    /// The upper bounds along each axis.
-    pub high: [EightNumbers; 3],
+    /// The lower bounds along each axis, and the upper ones.
+    pub bounds: [[EightNumbers; 3]; 2],
     /// The children: nodes, packets with the bit [`PACKET`], or [`NO_CHILD`].
     pub children: [u32; 8],
 }

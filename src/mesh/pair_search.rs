@@ -172,8 +172,8 @@ fn push_nearest_last(
         next.square = pair.square.max(squares[lane] * unit);
         next.nodes[side] = node.children[lane];
         next.boxes[side] = NodeBox {
-            low: node.low.map(|all| all[lane]),
-            high: node.high.map(|all| all[lane]),
+            low: node.bounds[0].map(|all| all[lane]),
+            high: node.bounds[1].map(|all| all[lane]),
         };
         stack.push(next);
     }

@@ -39,41 +39,51 @@ pub(crate) struct TreeRay {
 
 impl TreeRay {
     /// Returns a ray in a tree's frame: the ray's parameter times a factor is the step from some start.
-    fn new(tree: &MeshTree, ray: Ray3<f64>) -> Option<Self> {
-        let start = tree.frame().local(ray.point);
-        let way = [ray.direction.x, ray.direction.y, ray.direction.z];
-        let mut start = [start.x, start.y, start.z];
+    ///
+    /// Loops in place of closures, which would not be compiled for the vectors of the caller.
+    #[inline(always)]
+    fn new(start: Vec3<f64>, direction: Vec3<f64>) -> Option<Self> {
+        let mut way = [direction.x, direction.y, direction.z];
+        let start = [start.x, start.y, start.z];
         let mut main = usize::from(way[1].abs() > way[0].abs());
         if way[2].abs() > way[main].abs() {
             main = 2;
         }
-        let way = way.map(|x| x / way[main].abs());
-        let inverse = way.map(|x| 1.0 / (x.abs().max(STEEP).copysign(x)));
+        let length = way[main].abs();
+        let mut inverse = [0.0; 3];
         // Forward to the box in which all corners are, with room.
-        let enter = (0..3).fold(0.0, |most: f64, k| {
-            let to = (-way[k].signum() * 1.01 - start[k]) * inverse[k];
-            if to > most { to } else { most }
-        });
+        let mut enter = 0.0;
         for k in 0..3 {
-            start[k] += way[k] * enter;
+            way[k] /= length;
+            inverse[k] = 1.0 / (way[k].abs().max(STEEP).copysign(way[k]));
+            let to = (-1.01_f64.copysign(way[k]) - start[k]) * inverse[k];
+            enter = if to > enter { to } else { enter };
         }
-        let axes = [main, (main + 1) % 3, (main + 2) % 3];
-        let ahead = way[main].signum();
-        let drift = [way[axes[1]], way[axes[2]]].map(|x| (x * ahead) as f32);
-        let inverse = inverse.map(|x| x as f32);
-        let near = start.iter().all(|x| x.abs() < 1.1);
-        let start = start.map(|x| x as f32);
-        let step = |k: usize, by: f32| -(start[k] + by * inverse[k].signum()) * inverse[k];
-        near.then_some(TreeRay {
-            start,
-            inverse,
-            first: [0, 1, 2].map(|k| step(k, ERROR)),
-            last: [0, 1, 2].map(|k| step(k, -ERROR)),
-            down: inverse.map(|x| usize::from(x < 0.0)),
-            axes,
-            drift,
+        let [second, third] = [[1, 2], [2, 0], [0, 1]][main];
+        let ahead = 1.0_f64.copysign(way[main]);
+        let mut ray = TreeRay {
+            start: [0.0; 3],
+            inverse: [0.0; 3],
+            first: [0.0; 3],
+            last: [0.0; 3],
+            down: [0; 3],
+            axes: [main, second, third],
+            drift: [(way[second] * ahead) as f32, (way[third] * ahead) as f32],
             ahead: ahead as f32,
-        })
+        };
+        let mut is_near = true;
+        for k in 0..3 {
+            let entry = start[k] + way[k] * enter;
+            is_near &= entry.abs() < 1.1;
+            let (start, inverse) = (entry as f32, inverse[k] as f32);
+            let error = ERROR.copysign(inverse);
+            ray.start[k] = start;
+            ray.inverse[k] = inverse;
+            ray.first[k] = -(start + error) * inverse;
+            ray.last[k] = -(start - error) * inverse;
+            ray.down[k] = usize::from(inverse < 0.0);
+        }
+        is_near.then_some(ray)
     }
 }
 
@@ -83,11 +93,10 @@ fn entries<L: EightLanes>(node: &TreeNode, ray: &TreeRay, part: usize) -> (L, L:
     let (mut near, mut far) = (L::all(0.0), L::all(f32::INFINITY));
     // Products and sums err by some roundings of a place times the reciprocal: a small part of the error of starts.
     for k in 0..3 {
-        let [first, last] = [ray.down[k], 1 - ray.down[k]];
-        let planes = [&node.low[k], &node.high[k]];
+        let (first, last) = (ray.down[k] & 1, ray.down[k] & 1 ^ 1);
         let inverse = L::all(ray.inverse[k]);
-        near = near.most(L::part(planes[first & 1], part) * inverse + L::all(ray.first[k]));
-        far = far.least(L::part(planes[last & 1], part) * inverse + L::all(ray.last[k]));
+        near = near.most(L::part(&node.bounds[first][k], part) * inverse + L::all(ray.first[k]));
+        far = far.least(L::part(&node.bounds[last][k], part) * inverse + L::all(ray.last[k]));
     }
     let widened = far * L::all(1.0 + 8.0 * f32::EPSILON);
     (near, near.at_most(widened))
@@ -140,13 +149,20 @@ fn sight<L: EightLanes>(packet: &Packet, ray: &TreeRay) -> PacketSight {
         let ((u, du), (v, dv), (w, dw)) = (side(b, c, error), side(c, a, error), side(a, b, error));
         let maybe = (u.at_least(-du) & v.at_least(-dv) & w.at_least(-dw))
             | (u.at_most(du) & v.at_most(dv) & w.at_most(dw));
-        let sure = (u.above(du) & v.above(dv) & w.above(dw))
-            | (u.below(-du) & v.below(-dv) & w.below(-dw));
+        let left = u.above(du) & v.above(dv) & w.above(dw);
+        let right = u.below(-du) & v.below(-dv) & w.below(-dw);
         let first = a.z.least(b.z).least(c.z) - error;
         let last = a.z.most(b.z).most(c.z) + error;
+        // The step to the plane times the sum of the sides, and its error: of sides times steps, and of steps times sides.
+        let step = u * a.z + v * b.z + w * c.z;
+        let sides = u.magnitude() + v.magnitude() + w.magnitude();
+        let steps = last.most(-first);
+        let slack = (du + dv + dw) * steps + sides * (error + error);
+        let (up, down) = (step.above(slack), step.below(-slack));
+        let behind = (left & down) | (right & up);
         let shift = part * (8 / L::PARTS);
-        all.maybe |= L::truths(maybe & last.at_least(zero)) << shift;
-        all.sure |= L::truths(sure & first.at_least(error + error)) << shift;
+        all.maybe |= L::truths(maybe & last.at_least(zero) & !behind) << shift;
+        all.sure |= L::truths((left & up) | (right & down)) << shift;
         first.put(&mut all.first, part);
         last.put(&mut all.last, part);
     }
@@ -154,10 +170,15 @@ fn sight<L: EightLanes>(packet: &Packet, ray: &TreeRay) -> PacketSight {
 }
 
 /// Collects the faces that a ray may meet: all of them, or those that may be first. Returns the step up to which they
-/// can be first.
+/// can be first, and the face whose last step that is.
 #[inline(always)]
-fn collect<L: EightLanes>(tree: &MeshTree, ray: &TreeRay, all: bool, room: &mut SearchRoom) -> f32 {
-    let mut limit = f32::INFINITY;
+fn collect<L: EightLanes>(
+    tree: &MeshTree,
+    ray: &TreeRay,
+    all: bool,
+    room: &mut SearchRoom,
+) -> (f32, Option<u32>) {
+    let (mut limit, mut met) = (f32::INFINITY, None);
     room.stack.start();
     room.candidates.clear();
     let mut steps = [0.0; 8];
@@ -171,11 +192,9 @@ fn collect<L: EightLanes>(tree: &MeshTree, ray: &TreeRay, all: bool, room: &mut 
             while found.sure != 0 && !all {
                 let lane = found.sure.trailing_zeros() as usize;
                 found.sure &= found.sure - 1;
-                limit = if found.last[lane & 7] < limit {
-                    found.last[lane & 7]
-                } else {
-                    limit
-                };
+                if found.last[lane & 7] < limit {
+                    (limit, met) = (found.last[lane & 7], Some(faces[lane & 7]));
+                }
             }
             while found.maybe != 0 {
                 let lane = found.maybe.trailing_zeros() as usize;
@@ -197,10 +216,11 @@ fn collect<L: EightLanes>(tree: &MeshTree, ray: &TreeRay, all: bool, room: &mut 
         }
         room.stack.push_nearest_last(node, near, &steps);
     }
-    limit
+    (limit, met)
 }
 
-/// Fills the room with the faces that a ray may meet, and returns the step up to which they can be first.
+/// Fills the room with the faces that a ray may meet. Returns the step up to which they can be first, and the face that
+/// is met by then.
 #[inline(always)]
 pub(crate) fn candidates<L: EightLanes>(
     faces: usize,
@@ -208,23 +228,23 @@ pub(crate) fn candidates<L: EightLanes>(
     ray: Ray3<f64>,
     all: bool,
     room: &mut SearchRoom,
-) -> f32 {
+) -> (f32, Option<u32>) {
     room.candidates.clear();
     let way = ray.direction;
     let is_valid = ray.point.is_finite() && way.is_finite() && way.length_squared() > 0.0;
     if !is_valid && way.length() <= 0.0 {
-        return 0.0;
+        return (0.0, None);
     }
     let start = tree.frame().local(ray.point);
     if !is_valid || start.x.abs().max(start.y.abs()).max(start.z.abs()) > FAR {
         room.candidates
             .extend((0..faces as u32).map(|face| (0.0, face)));
-        return f32::INFINITY;
+        return (f32::INFINITY, None);
     }
     // No closure: it would not be compiled for the vectors of its caller.
-    match TreeRay::new(tree, ray) {
+    match TreeRay::new(start, way) {
         Some(ray) => collect::<L>(tree, &ray, all, room),
-        None => 0.0,
+        None => (0.0, None),
     }
 }
 
@@ -248,7 +268,12 @@ pub(crate) fn first<L: EightLanes, S: Scalar<Mask = bool>>(
     ray: Ray3<f64>,
     room: &mut SearchRoom,
 ) -> Option<u32> {
-    let limit = candidates::<L>(mesh.faces().len(), tree, ray, false, room);
+    let (limit, met) = candidates::<L>(mesh.faces().len(), tree, ray, false, room);
+    // A face that is met in any case is first where no other one can be.
+    let is_other = |&(step, face): &(f32, u32)| step <= limit && Some(face) != met;
+    if met.is_some() && !room.candidates.iter().any(is_other) {
+        return met;
+    }
     let mut best: Option<(f64, u32)> = None;
     for &(step, face) in &room.candidates {
         if step > limit {

@@ -175,7 +175,8 @@ pub(super) fn near_children<L: EightLanes>(
 ) -> u32 {
     let mut near = 0;
     for part in 0..L::PARTS {
-        let (low, high) = (part_of(&node.low, part), part_of(&node.high, part));
+        let [low, high] = &node.bounds;
+        let (low, high) = (part_of(low, part), part_of(high, part));
         let found = own.squares::<L>(low, high);
         near |= L::truths(found.at_most(L::all(limit))) << (part * (8 / L::PARTS));
         found.put(squares, part);
