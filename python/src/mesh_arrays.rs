@@ -70,10 +70,13 @@ pub fn records(array: &Object<'_>) -> PyResult<Vec<FaceRecord>> {
 
 /// Returns rays by their starts and directions.
 pub fn rays(starts: &Object<'_>, directions: &Object<'_>) -> PyResult<Vec<Ray3<f64>>> {
-    let both = vectors(starts)?.into_iter().zip(vectors(directions)?);
-    Ok(both
-        .map(|(point, direction)| Ray3 { point, direction })
-        .collect())
+    let starts = starts.cast::<PyArrayDyn<f64>>()?.readonly();
+    let directions = directions.cast::<PyArrayDyn<f64>>()?.readonly();
+    let (starts, _) = starts.as_slice()?.as_chunks::<3>();
+    let (directions, _) = directions.as_slice()?.as_chunks::<3>();
+    let vector = |&[x, y, z]: &[f64; 3]| Vec3::new(x, y, z);
+    let ray = |(start, direction)| Ray3::new(vector(start), vector(direction));
+    Ok(starts.iter().zip(directions).map(ray).collect())
 }
 
 /// Returns the faces that rays meet, none for a negative number.

@@ -10,7 +10,8 @@ use geograd::kernels::Cpu;
 use geograd::kernels::cpu::mesh_batches::MeshDistance;
 use geograd::mesh::Mesh as Columns;
 use geograd::mesh::{
-    ClosedMesh, FaceRecord, MeshBorder, MeshEnergy, MeshFault, MeshSurface, MeshTree, WoundSurface,
+    ClosedMesh, FaceRecord, MeshBorder, MeshEnergy, MeshFault, MeshHit, MeshSurface, MeshTree,
+    OwnedMesh, WoundSurface,
 };
 use geograd::{Ray3, Vec3};
 use numpy::PyArray1;
@@ -23,11 +24,22 @@ type Object<'py> = Bound<'py, PyAny>;
 /// A mesh of triangles, with the tree that queries use.
 #[pyclass(frozen, module = "geograd._core")]
 pub struct MeshCore {
-    pub(crate) vertices: Vec<Vec3<f64>>,
-    pub(crate) faces: Arc<Vec<[u32; 3]>>,
+    columns: OwnedMesh<f64>,
     pub(crate) tree: MeshTree,
     closed: OnceLock<Arc<ClosedMesh>>,
     border: OnceLock<Arc<MeshBorder>>,
+}
+
+/// Returns the parameters of hits, infinite for a miss.
+fn parameters(hits: &[Option<MeshHit<f64>>]) -> Vec<f64> {
+    let parameter = |hit: &Option<MeshHit<f64>>| hit.map_or(f64::INFINITY, |own| own.hit.parameter);
+    hits.iter().map(parameter).collect()
+}
+
+/// Returns the faces of hits, −1 for a miss.
+fn coded_faces(faces: &[Option<u32>]) -> Vec<i64> {
+    let face = |face: &Option<u32>| face.map_or(-1, i64::from);
+    faces.iter().map(face).collect()
 }
 
 /// The error of a call that was not run.
@@ -55,26 +67,23 @@ impl MeshCore {
         .ok_or_else(unused)?
         .map_err(raised)
     }
-    /// Calls a function with the mesh and its tree. Without a type of its own, so that the checks of a mesh are compiled
-    /// once.
+    /// Calls a function with the mesh and its tree. Without a type of its own, so that its check is compiled once.
     fn with_surface(&self, run: &mut dyn FnMut(&MeshSurface<'_, f64>)) -> Result<(), MeshFault> {
-        run(&self.tree.on(&self.columns()?)?);
+        run(&self.tree.on(&self.columns())?);
         Ok(())
     }
     fn closed(&self) -> PyResult<Arc<ClosedMesh>> {
         if let Some(closed) = self.closed.get() {
             return Ok(closed.clone());
         }
-        let mesh = self.columns().map_err(refused)?;
-        let closed = Arc::new(ClosedMesh::new(&mesh).map_err(refused)?);
+        let closed = Arc::new(ClosedMesh::new(&self.columns()).map_err(refused)?);
         Ok(self.closed.get_or_init(|| closed).clone())
     }
     fn border(&self) -> PyResult<Arc<MeshBorder>> {
         if let Some(border) = self.border.get() {
             return Ok(border.clone());
         }
-        let mesh = self.columns().map_err(refused)?;
-        let border = Arc::new(MeshBorder::new(&mesh));
+        let border = Arc::new(MeshBorder::new(&self.columns()));
         Ok(self.border.get_or_init(|| border).clone())
     }
     fn wound<R: Send>(
@@ -128,15 +137,11 @@ impl MeshCore {
         py: Python<'_>,
         run: impl FnOnce(&Columns<'_, f64>) -> R + Send,
     ) -> PyResult<R> {
-        let found = on_threads(py, 64 * self.faces.len(), || {
-            self.columns().map(|columns| run(&columns))
-        })?;
-        found.map_err(refused)
+        let mesh = self.columns();
+        on_threads(py, 64 * mesh.faces().len(), || run(&mesh))
     }
-    /// The mesh, checked. Not inlined into every call.
-    #[inline(never)]
-    pub(crate) fn columns(&self) -> Result<Columns<'_, f64>, MeshFault> {
-        Columns::new(&self.vertices, &self.faces)
+    pub(crate) fn columns(&self) -> Columns<'_, f64> {
+        self.columns.mesh()
     }
     /// Runs with a distance by its name.
     fn with_kind<R>(
@@ -170,24 +175,21 @@ impl MeshCore {
         }
         let (all, _) = indices.as_chunks::<3>();
         let faces: Vec<[u32; 3]> = all.iter().map(|face| face.map(|i| i as u32)).collect();
-        let tree = MeshTree::new(&Columns::new(&vertices, &faces).map_err(refused)?);
+        let columns = OwnedMesh::new(vertices, faces).map_err(refused)?;
         Ok(MeshCore {
-            vertices,
-            faces: Arc::new(faces),
-            tree,
+            tree: MeshTree::new(&columns.mesh()),
+            columns,
             closed: OnceLock::new(),
             border: OnceLock::new(),
         })
     }
     /// The mesh with its vertices at other places: the tree follows them.
     fn moved(&self, vertices: &Object<'_>) -> PyResult<Self> {
-        let vertices = vectors(vertices)?;
+        let columns = self.columns.moved(vectors(vertices)?).map_err(refused)?;
         let mut tree = self.tree.clone();
-        let mesh = Columns::new(&vertices, &self.faces).map_err(refused)?;
-        tree.refit(&mesh).map_err(refused)?;
+        tree.refit(&columns.mesh()).map_err(refused)?;
         Ok(MeshCore {
-            vertices,
-            faces: self.faces.clone(),
+            columns,
             tree,
             closed: self.closed.clone(),
             border: self.border.clone(),
@@ -195,11 +197,12 @@ impl MeshCore {
     }
     #[getter]
     fn vertices<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
-        in_space(py, &self.vertices)
+        in_space(py, self.columns().vertices())
     }
     #[getter]
     fn faces<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
-        let faces = self.faces.iter();
+        let columns = self.columns();
+        let faces = columns.faces().iter();
         rows(py, faces.map(|face| face.map(i64::from)).collect())
     }
     /// The nearest faces of points and their features, as numbers.
@@ -356,8 +359,27 @@ impl MeshCore {
         let found = self.surface(py, rays.len(), |surface| {
             Cpu::new().hit_faces(surface, &rays)
         })?;
-        let face = |face: Option<u32>| face.map_or(-1, i64::from);
-        Ok(PyArray1::from_vec(py, found.into_iter().map(face).collect()).into_any())
+        Ok(PyArray1::from_vec(py, coded_faces(&found)).into_any())
+    }
+    /// Where rays meet first: the parameters, infinite for a miss, and the faces, −1 for a miss.
+    fn first_hits<'py>(
+        &self,
+        py: Python<'py>,
+        starts: &Object<'py>,
+        directions: &Object<'py>,
+    ) -> PyResult<Object<'py>> {
+        let rays = rays(starts, directions)?;
+        let (faces, hits) = self.surface(py, rays.len(), |surface| {
+            let cpu = Cpu::new();
+            let faces = cpu.hit_faces(surface, &rays)?;
+            let hits = cpu.first_hits(surface, &rays, &faces)?;
+            Ok((faces, hits))
+        })?;
+        let both = (
+            PyArray1::from_vec(py, parameters(&hits)),
+            PyArray1::from_vec(py, coded_faces(&faces)),
+        );
+        Ok(both.into_pyobject(py)?.into_any())
     }
     /// All hits of rays: the ray and the face of each, ray by ray in the order of parameters.
     fn all_hit_faces<'py>(
@@ -395,11 +417,7 @@ impl MeshCore {
             let hits = self.surface(py, rays.len(), |surface| {
                 cpu.first_hits(surface, &rays, &faces)
             })?;
-            let values = hits.into_iter().map(|hit| match hit {
-                Some(found) => found.hit.parameter,
-                None => f64::INFINITY,
-            });
-            return Ok(PyArray1::from_vec(py, values.collect()).into_any());
+            return Ok(PyArray1::from_vec(py, parameters(&hits)).into_any());
         };
         let upstream = numbers(upstream)?;
         let bars = self.surface(py, rays.len(), |surface| {

@@ -105,7 +105,7 @@ fn on_both<R: Send>(
     run: impl FnOnce([&MeshSurface<'_, f64>; 2]) -> Result<R, Error> + Send,
 ) -> PyResult<R> {
     let found = on_threads(py, 4096 * count, || -> Result<_, MeshFault> {
-        let (own, other) = (first.columns()?, second.columns()?);
+        let (own, other) = (first.columns(), second.columns());
         let (own, other) = (first.tree.on(&own)?, second.tree.on(&other)?);
         Ok(run([&own, &other]))
     })?;

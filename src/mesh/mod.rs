@@ -79,6 +79,7 @@ mod mesh_measures;
 mod mesh_solid;
 mod mesh_surface;
 mod mesh_tree;
+mod owned_mesh;
 mod packet;
 mod pair_search;
 mod ray_search;
@@ -109,5 +110,6 @@ pub use mesh_measures::{
 pub use mesh_solid::{MeshSolid, SolidBounds};
 pub use mesh_surface::{MeshHit, MeshSurface};
 pub use mesh_tree::MeshTree;
+pub use owned_mesh::OwnedMesh;
 pub use solid_surface::{FacePair, pair_closest_points, pair_distance};
 pub use wound_surface::{WoundSurface, solid_angle};

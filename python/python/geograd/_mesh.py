@@ -201,8 +201,8 @@ class Mesh:
         """
         starts, directions = np.broadcast_arrays(np.asarray(starts), np.asarray(directions))
         (starts, shape), (directions, _) = _rows("starts", starts), _rows("directions", directions)
-        faces = self._core.hit_faces(starts, directions)
-        return self._core.parameters(starts, directions, faces).reshape(shape), faces.reshape(shape)
+        parameters, faces = self._core.first_hits(starts, directions)
+        return parameters.reshape(shape), faces.reshape(shape)
 
     def all_hits(self, starts, directions):
         """Every face that each ray meets: parameters, indices of rays and indices of faces, ray by ray in the order of parameters.
