@@ -3,10 +3,10 @@ use crate::mesh_arrays::{in_space, vectors, whole};
 use crate::polygon_calls::numbers;
 use crate::raised;
 use crate::threads::on_threads;
-use geograd::cloud::{Cloud, CloudFault, CloudTree};
+use geograd::Error;
+use geograd::cloud::{Cloud, CloudFault, OwnedCloud};
 use geograd::kernels::Cpu;
 use geograd::kernels::cpu::cloud_batches::PointDistance;
-use geograd::{Error, Vec3};
 use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -16,8 +16,7 @@ type Object<'py> = Bound<'py, PyAny>;
 /// Points of space, with the tree that queries use.
 #[pyclass(frozen, module = "geograd._core")]
 pub struct CloudCore {
-    points: Vec<Vec3<f64>>,
-    tree: CloudTree,
+    owned: OwnedCloud<f64>,
 }
 
 fn refused(fault: CloudFault) -> PyErr {
@@ -56,10 +55,7 @@ impl CloudCore {
         count: usize,
         run: impl FnOnce(&Cloud<'_, f64>) -> Result<R, Error> + Send,
     ) -> PyResult<R> {
-        let found = on_threads(py, 64 * count, || -> Result<_, CloudFault> {
-            Ok(run(&self.tree.on(&self.points)?))
-        })?;
-        found.map_err(refused)?.map_err(raised)
+        on_threads(py, 64 * count, || run(&self.owned.cloud()))?.map_err(raised)
     }
     fn both<R: Send>(
         &self,
@@ -67,12 +63,9 @@ impl CloudCore {
         other: &CloudCore,
         run: impl FnOnce(&Cloud<'_, f64>, &Cloud<'_, f64>) -> Result<R, Error> + Send,
     ) -> PyResult<R> {
-        let count = 64 * (self.points.len() + other.points.len());
-        let found = on_threads(py, count, || -> Result<_, CloudFault> {
-            let (own, second) = (self.tree.on(&self.points)?, other.tree.on(&other.points)?);
-            Ok(run(&own, &second))
-        })?;
-        found.map_err(refused)?.map_err(raised)
+        let (own, second) = (self.owned.cloud(), other.owned.cloud());
+        let count = 64 * (own.points().len() + second.points().len());
+        on_threads(py, count, || run(&own, &second))?.map_err(raised)
     }
 }
 
@@ -80,13 +73,12 @@ impl CloudCore {
 impl CloudCore {
     #[new]
     fn new(points: &Object<'_>) -> PyResult<Self> {
-        let points = vectors(points)?;
-        let tree = CloudTree::new(&points).map_err(refused)?;
-        Ok(CloudCore { points, tree })
+        let owned = OwnedCloud::new(vectors(points)?).map_err(refused)?;
+        Ok(CloudCore { owned })
     }
     #[getter]
     fn points<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
-        in_space(py, &self.points)
+        in_space(py, self.owned.cloud().points())
     }
     /// The nearest points of queries.
     fn search<'py>(&self, py: Python<'py>, queries: &Object<'py>) -> PyResult<Object<'py>> {

@@ -68,7 +68,12 @@ impl CloudTree {
                 found: self.faces.len(),
             });
         }
-        Ok(Cloud { points, tree: self })
+        Ok(self.over(points))
+    }
+    /// Returns the points with this tree, which was built over them.
+    #[inline]
+    pub(super) fn over<'a, S: Copy>(&'a self, points: &'a [Vec3<S>]) -> Cloud<'a, S> {
+        Cloud { points, tree: self }
     }
 }
 

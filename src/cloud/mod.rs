@@ -2,7 +2,7 @@
 //! the points.
 //!
 //! A [`CloudTree`] over points is built once and keeps no reference; with the points it is a [`Cloud`], which answers
-//! queries. It is the tree of [meshes](crate::mesh), whose leaves hold points.
+//! queries. It is the tree of [meshes](crate::mesh), whose leaves hold points. An [`OwnedCloud`] keeps both.
 //!
 //! | function | gives |
 //! | --- | --- |
@@ -38,6 +38,8 @@
 mod cloud_fault;
 mod cloud_search;
 mod cloud_tree;
+mod owned_cloud;
 
 pub use cloud_fault::CloudFault;
 pub use cloud_tree::{Cloud, CloudTree};
+pub use owned_cloud::OwnedCloud;

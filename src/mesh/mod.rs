@@ -2,7 +2,7 @@
 //! vertices.
 //!
 //! A [`Mesh`] borrows a column of vertices and one of faces; a [`MeshTree`] over it is built once and keeps no
-//! reference. Both together are a [`MeshSurface`], which answers queries.
+//! reference. Both together are a [`MeshSurface`], which answers queries. An [`OwnedMesh`] keeps columns that were checked.
 //!
 //! | function | gives |
 //! | --- | --- |
