@@ -221,7 +221,26 @@ impl Cpu {
         rays: &[Ray3<T>],
     ) -> Result<Vec<Option<u32>>, Error> {
         check("rays", rays)?;
-        Ok(first_of_all(surface, rays))
+        Ok(first_of_all(surface, rays, |_, face| face))
+    }
+
+    /// Returns the face that each ray meets first, and the parameter there; `None` for a miss. The same as
+    /// [`hit_faces`](Cpu::hit_faces) and [`first_hits`](Cpu::first_hits), in one pass.
+    ///
+    /// # Errors
+    ///
+    /// As [`hit_faces`](Cpu::hit_faces).
+    pub fn hit_parameters<T: Real>(
+        &self,
+        surface: &MeshSurface<'_, T>,
+        rays: &[Ray3<T>],
+    ) -> Result<Vec<Option<(u32, T)>>, Error> {
+        check("rays", rays)?;
+        let mesh = surface.mesh();
+        Ok(first_of_all(surface, rays, |ray, face| {
+            let hit = first_hit_triangle(ray, mesh.triangle(face));
+            (face, hit.parameter)
+        }))
     }
 
     /// Returns the faces that each ray meets, in the order of [`MeshSurface::all_hit_faces`].

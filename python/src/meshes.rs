@@ -10,8 +10,8 @@ use geograd::kernels::Cpu;
 use geograd::kernels::cpu::mesh_batches::MeshDistance;
 use geograd::mesh::Mesh as Columns;
 use geograd::mesh::{
-    ClosedMesh, FaceRecord, MeshBorder, MeshEnergy, MeshFault, MeshHit, MeshSurface, MeshTree,
-    OwnedMesh, WoundSurface,
+    ClosedMesh, FaceRecord, MeshBorder, MeshEnergy, MeshFault, MeshSurface, MeshTree, OwnedMesh,
+    WoundSurface,
 };
 use geograd::{Ray3, Vec3};
 use numpy::PyArray1;
@@ -28,18 +28,6 @@ pub struct MeshCore {
     pub(crate) tree: MeshTree,
     closed: OnceLock<Arc<ClosedMesh>>,
     border: OnceLock<Arc<MeshBorder>>,
-}
-
-/// Returns the parameters of hits, infinite for a miss.
-fn parameters(hits: &[Option<MeshHit<f64>>]) -> Vec<f64> {
-    let parameter = |hit: &Option<MeshHit<f64>>| hit.map_or(f64::INFINITY, |own| own.hit.parameter);
-    hits.iter().map(parameter).collect()
-}
-
-/// Returns the faces of hits, −1 for a miss.
-fn coded_faces(faces: &[Option<u32>]) -> Vec<i64> {
-    let face = |face: &Option<u32>| face.map_or(-1, i64::from);
-    faces.iter().map(face).collect()
 }
 
 /// The error of a call that was not run.
@@ -359,7 +347,8 @@ impl MeshCore {
         let found = self.surface(py, rays.len(), |surface| {
             Cpu::new().hit_faces(surface, &rays)
         })?;
-        Ok(PyArray1::from_vec(py, coded_faces(&found)).into_any())
+        let face = |face: Option<u32>| face.map_or(-1, i64::from);
+        Ok(PyArray1::from_vec(py, found.into_iter().map(face).collect()).into_any())
     }
     /// Where rays meet first: the parameters, infinite for a miss, and the faces, −1 for a miss.
     fn first_hits<'py>(
@@ -369,15 +358,17 @@ impl MeshCore {
         directions: &Object<'py>,
     ) -> PyResult<Object<'py>> {
         let rays = rays(starts, directions)?;
-        let (faces, hits) = self.surface(py, rays.len(), |surface| {
-            let cpu = Cpu::new();
-            let faces = cpu.hit_faces(surface, &rays)?;
-            let hits = cpu.first_hits(surface, &rays, &faces)?;
-            Ok((faces, hits))
+        let hits = self.surface(py, rays.len(), |surface| {
+            Cpu::new().hit_parameters(surface, &rays)
         })?;
+        let coded = |hit| match hit {
+            Some((face, parameter)) => (parameter, i64::from(face)),
+            None => (f64::INFINITY, -1),
+        };
+        let (parameters, faces) = hits.into_iter().map(coded).unzip();
         let both = (
-            PyArray1::from_vec(py, parameters(&hits)),
-            PyArray1::from_vec(py, coded_faces(&faces)),
+            PyArray1::from_vec(py, parameters),
+            PyArray1::from_vec(py, faces),
         );
         Ok(both.into_pyobject(py)?.into_any())
     }
@@ -417,7 +408,11 @@ impl MeshCore {
             let hits = self.surface(py, rays.len(), |surface| {
                 cpu.first_hits(surface, &rays, &faces)
             })?;
-            return Ok(PyArray1::from_vec(py, parameters(&hits)).into_any());
+            let values = hits.into_iter().map(|hit| match hit {
+                Some(found) => found.hit.parameter,
+                None => f64::INFINITY,
+            });
+            return Ok(PyArray1::from_vec(py, values.collect()).into_any());
         };
         let upstream = numbers(upstream)?;
         let bars = self.surface(py, rays.len(), |surface| {

@@ -51,8 +51,11 @@ fn batches_have_the_bits_of_single_queries() {
                 .collect();
             let faces = cpu.hit_faces(&surface, &rays).unwrap();
             let hits = cpu.first_hits(&surface, &rays, &faces).unwrap();
-            for (&ray, hit) in rays.iter().zip(&hits) {
+            let parameters = cpu.hit_parameters(&surface, &rays).unwrap();
+            for ((&ray, hit), parameter) in rays.iter().zip(&hits).zip(parameters) {
                 assert_eq!(*hit, surface.first_hit(ray), "{} {ray:?}", owned.name);
+                let plain = hit.map(|own| (own.face, own.hit.parameter));
+                assert_eq!(parameter, plain, "{} {ray:?}", owned.name);
             }
         }
         Simd::limit(None).unwrap();
