@@ -54,18 +54,19 @@ fn sorted(mut keys: Vec<u64>) -> Vec<u32> {
     let mut other = vec![0; keys.len()];
     for shift in SHIFTS {
         let digit = |key: u64| (key >> shift) as usize & ((1 << DIGITS) - 1);
-        let mut places = [0; 1 << DIGITS];
+        // How often each digit stands, then where its next key goes.
+        let mut next = [0_usize; 1 << DIGITS];
         for &key in &keys {
-            places[digit(key)] += 1;
+            next[digit(key)] += 1;
         }
         let mut start = 0;
-        for place in &mut places {
-            start += std::mem::replace(place, start);
+        for next in &mut next {
+            start += std::mem::replace(next, start);
         }
         for &key in &keys {
-            let place: &mut usize = &mut places[digit(key)];
-            other[*place] = key;
-            *place += 1;
+            let next = &mut next[digit(key)];
+            other[*next] = key;
+            *next += 1;
         }
         std::mem::swap(&mut keys, &mut other);
     }

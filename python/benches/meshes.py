@@ -70,6 +70,8 @@ def of_mesh(name, vertices, faces):
         line(f"{name}, closest points {place}, libigl", lambda: tree.squared_distance(vertices, faces, points), lambda: own.closest(points), QUERIES)
         few = points[:500]
         line(f"{name}, closest points {place}, trimesh", lambda: trimesh.proximity.closest_point(other, few), lambda: own.closest(few), 500)
+    one = near[:1]
+    line(f"{name}, closest point of one, libigl", lambda: tree.squared_distance(vertices, faces, one), lambda: own.closest(one), 1)
     for place, points in places.items():
         same = np.mean(own.rays(points, ways)[1] == embree.intersects_first(points, ways))
         assert same > 0.999, same

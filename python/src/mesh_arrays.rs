@@ -1,7 +1,7 @@
 //! Arrays of meshes: rows of vectors, records of searches, sparse matrices.
 use geograd::mesh::{FaceFeature, FaceRecord};
 use geograd::{Ray3, Vec3};
-use numpy::{PyArray1, PyArrayDyn, PyArrayMethods};
+use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn};
 use pyo3::prelude::*;
 
 type Object<'py> = Bound<'py, PyAny>;
@@ -9,8 +9,15 @@ type Object<'py> = Bound<'py, PyAny>;
 /// Returns the numbers of an array of rows.
 pub fn vectors(array: &Object<'_>) -> PyResult<Vec<Vec3<f64>>> {
     let array = array.cast::<PyArrayDyn<f64>>()?.readonly();
+    Ok(in_rows(&array)?.collect())
+}
+
+/// Returns the rows of an array as vectors.
+fn in_rows<'a>(
+    array: &'a PyReadonlyArrayDyn<'_, f64>,
+) -> PyResult<impl Iterator<Item = Vec3<f64>> + 'a> {
     let (all, _) = array.as_slice()?.as_chunks::<3>();
-    Ok(all.iter().map(|&[x, y, z]| Vec3::new(x, y, z)).collect())
+    Ok(all.iter().map(|&[x, y, z]| Vec3::new(x, y, z)))
 }
 
 /// Returns the whole numbers of an array.
@@ -72,11 +79,10 @@ pub fn records(array: &Object<'_>) -> PyResult<Vec<FaceRecord>> {
 pub fn rays(starts: &Object<'_>, directions: &Object<'_>) -> PyResult<Vec<Ray3<f64>>> {
     let starts = starts.cast::<PyArrayDyn<f64>>()?.readonly();
     let directions = directions.cast::<PyArrayDyn<f64>>()?.readonly();
-    let (starts, _) = starts.as_slice()?.as_chunks::<3>();
-    let (directions, _) = directions.as_slice()?.as_chunks::<3>();
-    let vector = |&[x, y, z]: &[f64; 3]| Vec3::new(x, y, z);
-    let ray = |(start, direction)| Ray3::new(vector(start), vector(direction));
-    Ok(starts.iter().zip(directions).map(ray).collect())
+    let both = in_rows(&starts)?.zip(in_rows(&directions)?);
+    Ok(both
+        .map(|(point, direction)| Ray3 { point, direction })
+        .collect())
 }
 
 /// Returns the faces that rays meet, none for a negative number.

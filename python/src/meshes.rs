@@ -120,6 +120,16 @@ impl MeshCore {
         self.on_columns(py, |mesh| run(energy, mesh))?
             .map_err(raised)
     }
+    /// Runs on rays by their starts and directions.
+    fn on_rays<R: Send>(
+        &self,
+        py: Python<'_>,
+        [starts, directions]: [&Object<'_>; 2],
+        run: impl FnOnce(&MeshSurface<'_, f64>, &[Ray3<f64>]) -> Result<R, Error> + Send,
+    ) -> PyResult<R> {
+        let rays = rays(starts, directions)?;
+        self.surface(py, rays.len(), |surface| run(surface, &rays))
+    }
     fn on_columns<R: Send>(
         &self,
         py: Python<'_>,
@@ -343,23 +353,21 @@ impl MeshCore {
         starts: &Object<'py>,
         directions: &Object<'py>,
     ) -> PyResult<Object<'py>> {
-        let rays = rays(starts, directions)?;
-        let found = self.surface(py, rays.len(), |surface| {
-            Cpu::new().hit_faces(surface, &rays)
+        let found = self.on_rays(py, [starts, directions], |surface, rays| {
+            Cpu::new().hit_faces(surface, rays)
         })?;
         let face = |face: Option<u32>| face.map_or(-1, i64::from);
         Ok(PyArray1::from_vec(py, found.into_iter().map(face).collect()).into_any())
     }
-    /// Where rays meet first: the parameters, infinite for a miss, and the faces, −1 for a miss.
+    /// The parameters at which rays meet first, infinite for a miss, and the faces, −1 for a miss.
     fn first_hits<'py>(
         &self,
         py: Python<'py>,
         starts: &Object<'py>,
         directions: &Object<'py>,
     ) -> PyResult<Object<'py>> {
-        let rays = rays(starts, directions)?;
-        let hits = self.surface(py, rays.len(), |surface| {
-            Cpu::new().hit_parameters(surface, &rays)
+        let hits = self.on_rays(py, [starts, directions], |surface, rays| {
+            Cpu::new().hit_parameters(surface, rays)
         })?;
         let coded = |hit| match hit {
             Some((face, parameter)) => (parameter, i64::from(face)),
@@ -379,9 +387,8 @@ impl MeshCore {
         starts: &Object<'py>,
         directions: &Object<'py>,
     ) -> PyResult<Object<'py>> {
-        let rays = rays(starts, directions)?;
-        let found = self.surface(py, rays.len(), |surface| {
-            Cpu::new().all_hit_faces(surface, &rays)
+        let found = self.on_rays(py, [starts, directions], |surface, rays| {
+            Cpu::new().all_hit_faces(surface, rays)
         })?;
         let (mut of, mut faces) = (Vec::new(), Vec::new());
         for (ray, own) in (0_i64..).zip(found) {

@@ -72,10 +72,10 @@ class _Rays(torch.autograd.Function):
         ctx: Any, core: Any, starts: torch.Tensor, directions: torch.Tensor, vertices: torch.Tensor, faces: Any = None
     ) -> Any:
         rows = _array("starts", starts), _array("directions", directions)
-        faces = core.hit_faces(*rows) if faces is None else faces
+        parameters, faces = core.first_hits(*rows) if faces is None else (core.parameters(*rows, faces), faces)
         ctx.core, ctx.rows, ctx.faces = core, rows, faces
         ctx.save_for_backward(starts, directions, vertices)
-        values = torch.from_numpy(core.parameters(*rows, faces)).to(starts.dtype).reshape(starts.shape[:-1])
+        values = torch.from_numpy(parameters).to(starts.dtype).reshape(starts.shape[:-1])
         indices = torch.from_numpy(faces).reshape(starts.shape[:-1])
         ctx.mark_non_differentiable(indices)
         return values, indices
