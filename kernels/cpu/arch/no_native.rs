@@ -26,7 +26,11 @@ impl Native {
     pub(crate) fn has_output(&self, _: usize) -> bool {
         match *self {}
     }
-    pub(crate) fn bind<'a, T>(&'a self, _: &'a [Cell<Lane<T>>]) -> Option<BoundCode<'a, T>> {
+    pub(crate) fn bind<'a, T>(
+        &'a self,
+        _: &'a [Cell<Lane<T>>],
+        _: usize,
+    ) -> Option<BoundCode<'a, T>> {
         match *self {}
     }
 }
