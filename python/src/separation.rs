@@ -4,7 +4,7 @@ use crate::lent::array_of;
 use crate::polygon_calls::{in_format, in_runs, listed, place, together};
 use crate::polygons::{Format, Polygons, vectors};
 use geograd::Vec2;
-use geograd::polygon::{EdgeBoxes, Fill, Rings};
+use geograd::polygon::{DistanceRoom, EdgeBoxes, Fill, Rings};
 use geograd::shape::edges;
 use numpy::{PyArray1, PyArrayDyn};
 use pyo3::exceptions::PyIndexError;
@@ -167,6 +167,11 @@ fn apart<'py, T: Format>(py: Python<'py>, a: &Polygons, b: &Polygons) -> PyResul
     let shared = [0, 1].map(|k| is_shared[k].then(|| EdgeBoxes::of(at(k, 0))));
     let work = vertices.iter().map(|own| own.len().max(count)).sum();
     let distances = listed(py, count, work, |run: Range<usize>, found| {
+        if shared.iter().all(Option::is_none) {
+            let mut room = DistanceRoom::new();
+            found.extend(run.map(|item| room.distance(at(0, item), at(1, item))));
+            return;
+        }
         let mut rooms = [EdgeBoxes::default(), EdgeBoxes::default()];
         let distance = |item: usize| {
             let rings = [0, 1].map(|k| at(k, item));

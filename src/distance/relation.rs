@@ -73,7 +73,7 @@ impl<S: Scalar> Relation<S> {
 }
 
 /// The number of roundings of the unit by which heights and vectors may differ, if all sizes are at most four.
-const SLACK: f64 = 64.0;
+pub(super) const SLACK: f64 = 64.0;
 
 /// Ask for how far only.
 pub(crate) const LENGTH: u8 = 0;
@@ -111,19 +111,6 @@ fn relate_all<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Relation<S> 
     let near = nearest(a, b).mean();
     let direction = direction(near.apart);
     joined((near, direction), deepest(a, b), bounded, origin, scale)
-}
-
-/// Returns the distance of two shapes without radii that have no point in common; `None` where they are so near that
-/// roundings might decide otherwise. It has the bits of [`relate`], which looks for a face that separates them, too.
-#[inline]
-pub(crate) fn apart<S: Scalar<Mask = bool>, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Option<S> {
-    let (a, b) = (a.core(), b.core());
-    let origin = a.anchor();
-    let scale = scale_of::<S>(a.extent(origin).most(b.extent(origin)));
-    let near = nearest(a.placed(origin, scale), b.placed(origin, scale)).mean();
-    let length = near.apart.length();
-    let is_far = length.above(S::rounding(16.0 * SLACK, 1));
-    is_far.then(|| length.over(scale).canonical())
 }
 
 /// Returns the relation of two cores by their nearest points, the direction from a to b there, and by the face that

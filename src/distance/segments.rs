@@ -121,11 +121,25 @@ pub fn closest_points_of_segments<S: Scalar>(
     }
 }
 
-/// Returns the distance of two segments that have no point in common; `None` where roundings might decide otherwise. It has
-/// the bits of [`distance`](super::distance).
-#[inline]
+/// Returns the distance of two segments that have no point in common; `None` where they are so near that roundings might
+/// decide otherwise. It has the bits of [`distance`](super::distance), which computes more.
+#[inline(always)]
 pub(crate) fn distance_apart<S: Scalar<Mask = bool>>(a: Segment2<S>, b: Segment2<S>) -> Option<S> {
-    relation::apart(a, b)
+    let (a, b) = (a.core(), b.core());
+    let origin = a.anchor();
+    let scale = scale_of::<S>(a.extent(origin).most(b.extent(origin)));
+    let (a, b) = (a.placed(origin, scale), b.placed(origin, scale));
+    let near = |edge: Edge<S>, corner: Vec2<S>| {
+        let apart = reach(edge, corner - edge.from).apart;
+        Best::of(apart.length_squared(), apart)
+    };
+    let ([from_a, to_a], [from_b, to_b]) = (a.corners(), b.corners());
+    let of_b = near(a.edge, from_b).less(near(a.edge, to_b));
+    let mut of_a = near(b.edge, from_a).less(near(b.edge, to_a));
+    of_a.sum = -of_a.sum;
+    let length = of_b.less(of_a).mean().length();
+    let is_far = length.above(S::rounding(16.0 * relation::SLACK, 1));
+    is_far.then(|| length.over(scale).canonical())
 }
 
 /// The shortest segment from one shape to another, with the numbers that the derivatives of its length need.

@@ -1,6 +1,6 @@
 //! The edges of two polygons that are nearest to each other, by boxes around stretches of edges.
 use super::box_ends::{Ends, NOWHERE, join, squared_gap};
-use super::nearest_few::{Candidates, beyond};
+use super::nearest_few::{Approach, Candidates, beyond};
 use super::{Fill, Rings};
 use crate::arrays::sort_few;
 use crate::distance::{distance as between, segments::distance_apart};
@@ -9,6 +9,10 @@ use crate::{Scalar, Segment2, Vec2};
 
 /// The number of edges in a leaf, and of boxes in a larger one.
 const FEW: usize = 4;
+/// The most edges of a list that are all looked at: longer ones are faster by boxes.
+const MOST: usize = 128;
+/// The most edges of a list that are looked at before boxes are made, which takes as long.
+const MANY: usize = 1024;
 /// A bound of the rounding errors of the distance of two edges, in units of ε times the largest difference of two of
 /// their coordinates: eight products and quotients of a few roundings each.
 const SLACK: f64 = 64.0;
@@ -63,6 +67,29 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
     pub fn replace(&mut self, edges: impl IntoIterator<Item = [Vec2<S>; 2]>) {
         self.edges.clear();
         self.edges.extend(edges);
+        self.build();
+    }
+    /// Takes the edges of a polygon without boxes, and returns the box around all.
+    #[inline(always)]
+    fn take(&mut self, rings: Rings<'_, S>) -> Ends {
+        self.edges.clear();
+        let mut whole = NOWHERE;
+        for ring in rings.iter() {
+            let (Some(&first), Some(&last)) = (ring.first(), ring.last()) else {
+                continue;
+            };
+            self.edges
+                .extend(ring.windows(2).map(|pair| [pair[0], pair[1]]));
+            self.edges.push([last, first]);
+            for &v in ring {
+                let [x, y] = [v.x, v.y].map(seen);
+                whole = [join(whole[0], x), join(whole[1], y)];
+            }
+        }
+        whole
+    }
+    /// Makes the boxes of all edges.
+    fn build(&mut self) {
         self.boxes.clear();
         self.levels.clear();
         let leaves = self.edges.chunks(FEW);
@@ -87,21 +114,9 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
     #[must_use]
     pub fn nearest(&self, other: &Self) -> Option<NearestEdges<S>> {
         let (&whole, &others) = (self.boxes.last()?, other.boxes.last()?);
-        let spread = spread(whole, others);
-        let mut search = Search {
-            both: [self, other],
-            best: None,
-            square: f64::INFINITY,
-            limit: f64::INFINITY,
-            slack: SLACK * S::format().epsilon() * spread,
-        };
         let wholes = [whole, others];
-        let is_found = match self.edges.len().max(other.edges.len()) {
-            ..=4 => search.few::<4>(wholes, spread),
-            5..=8 => search.few::<8>(wholes, spread),
-            _ => search.few::<16>(wholes, spread),
-        };
-        if is_found {
+        let mut search = Search::new([self, other], wholes);
+        if search.all_few(wholes, MOST).is_some() {
             return search.best;
         }
         let tops = [self, other].map(|own| Node {
@@ -263,21 +278,51 @@ struct Search<'a, S> {
     square: f64,
     /// The squared gap beyond which no edge can be nearest.
     limit: f64,
+    /// The largest difference of two coordinates.
+    spread: f64,
     slack: f64,
 }
 
-impl<S: Scalar<Mask = bool>> Search<'_, S> {
-    /// Compares the edges that approximate distances leave, given the boxes around both lists and the largest difference of
-    /// two coordinates. Returns `false` of lists that have more of them than there is room.
-    fn few<const ROOM: usize>(&mut self, wholes: [Ends; 2], spread: f64) -> bool {
-        let mut few = Candidates::<ROOM>::new();
+impl<'a, S: Scalar<Mask = bool>> Search<'a, S> {
+    #[inline(always)]
+    fn new(both: [&'a EdgeBoxes<S>; 2], wholes: [Ends; 2]) -> Self {
+        let spread = spread(wholes[0], wholes[1]);
+        Search {
+            both,
+            best: None,
+            square: f64::INFINITY,
+            limit: f64::INFINITY,
+            spread,
+            slack: SLACK * S::format().epsilon() * spread,
+        }
+    }
+    /// Compares the edges that approximate distances leave, given the boxes around both lists. Returns `None` of lists that
+    /// have more of them than there is room, and `true` where a line has each list on one side.
+    #[inline(always)]
+    fn all_few(&mut self, wholes: [Ends; 2], most: usize) -> Option<bool> {
+        let [a, b] = self.both;
+        if a.edges.len().max(b.edges.len()) > most {
+            return None;
+        }
         // Approximate distances have roundings of their own.
         let slack = 2.0 * self.slack;
+        let approach = Approach::of(&a.edges, &b.edges, self.spread, slack)?;
+        let is_found = match a.edges.len().max(b.edges.len()) {
+            _ if approach.is_parted() && self.few::<4>(wholes, &approach) => true,
+            ..=4 => self.few::<4>(wholes, &approach),
+            5..=8 => self.few::<8>(wholes, &approach),
+            _ => self.few::<16>(wholes, &approach),
+        };
+        is_found.then_some(approach.is_parted())
+    }
+    /// Compares such edges where there are not more of either list than there is room.
+    fn few<const ROOM: usize>(&mut self, wholes: [Ends; 2], approach: &Approach) -> bool {
+        let mut few = Candidates::<ROOM>::new();
         let [a, b] = self.both;
-        let Some(least) = few.find(&a.edges, &b.edges, wholes, spread, slack) else {
+        let Some(least) = few.find(&a.edges, &b.edges, wholes, approach, self.spread) else {
             return false;
         };
-        for ([i, j], is_apart) in few.within(beyond(least, slack)) {
+        for ([i, j], is_apart) in few.within(beyond(least, 2.0 * self.slack)) {
             self.compare(i, j, is_apart);
             if self.has_met() {
                 break;
@@ -350,11 +395,16 @@ impl<S: Scalar<Mask = bool>> Search<'_, S> {
     }
 }
 
-/// Returns the box around edges; everything in a format that has no exact value as `f64`.
+/// Returns a coordinate as an interval; everything in a format that has no exact value as `f64`.
+#[inline(always)]
+fn seen<S: Scalar>(x: S) -> [f64; 2] {
+    x.widened()
+        .map_or([f64::NEG_INFINITY, f64::INFINITY], |x| [x, x])
+}
+
+/// Returns the box around edges.
 #[inline(always)]
 fn around<S: Scalar>(edges: &[[Vec2<S>; 2]]) -> Ends {
-    let everywhere = [f64::NEG_INFINITY, f64::INFINITY];
-    let seen = |x: S| x.widened().map_or(everywhere, |x| [x, x]);
     let ends = edges.iter().flatten();
     ends.fold(NOWHERE, |[x, y], end| {
         [join(x, seen(end.x)), join(y, seen(end.y))]
@@ -393,10 +443,59 @@ pub fn distance<'a, S: Scalar<Mask = bool>>(
     a: impl Into<Rings<'a, S>>,
     b: impl Into<Rings<'a, S>>,
 ) -> S {
-    let (a, b) = (a.into(), b.into());
-    let boxes = [a, b].map(EdgeBoxes::of);
-    let is_near = boxes[0].is_near(&boxes[1]);
-    match boxes[0].nearest(&boxes[1]) {
+    DistanceRoom::new().distance(a, b)
+}
+
+/// Memory for [`distance`] between one call and the next.
+#[derive(Clone, Debug)]
+pub struct DistanceRoom<S> {
+    lists: [EdgeBoxes<S>; 2],
+}
+
+impl<S: Scalar<Mask = bool>> DistanceRoom<S> {
+    /// Creates a room, without memory before its first use.
+    #[must_use]
+    pub fn new() -> Self {
+        DistanceRoom {
+            lists: [(); 2].map(|()| EdgeBoxes {
+                edges: Vec::new(),
+                boxes: Vec::new(),
+                levels: Vec::new(),
+            }),
+        }
+    }
+    /// Returns the [`distance`] of two polygons.
+    #[must_use]
+    pub fn distance<'a>(&mut self, a: impl Into<Rings<'a, S>>, b: impl Into<Rings<'a, S>>) -> S {
+        let (a, b) = (a.into(), b.into());
+        let [own, other] = &mut self.lists;
+        let wholes = [own.take(a), other.take(b)];
+        if own.edges.is_empty() || other.edges.is_empty() {
+            return S::largest();
+        }
+        let mut search = Search::new([own, other], wholes);
+        let found = search.all_few(wholes, MANY);
+        if found == Some(true) {
+            return search.best.map_or(S::largest(), |best| best.distance);
+        }
+        if found.is_some() {
+            return apart(a, b, wholes, search.best);
+        }
+        own.build();
+        other.build();
+        apart(a, b, wholes, own.nearest(other))
+    }
+}
+
+/// Returns the distance of two polygons from their nearest edges and the boxes around both.
+fn apart<S: Scalar<Mask = bool>>(
+    a: Rings<'_, S>,
+    b: Rings<'_, S>,
+    wholes: [Ends; 2],
+    nearest: Option<NearestEdges<S>>,
+) -> S {
+    let is_near = squared_gap(wholes[0], wholes[1]) <= 0.0;
+    match nearest {
         None => S::largest(),
         Some(_) if is_near && (a.holds_a_ring_of(b) || b.holds_a_ring_of(a)) => S::zero(),
         Some(nearest) => nearest.distance,

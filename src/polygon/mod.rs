@@ -23,7 +23,7 @@ mod sides;
 pub(crate) mod slabs;
 
 pub use crate::distance::ring::Fill;
-pub use edge_boxes::{EdgeBoxes, NearestEdges, distance};
+pub use edge_boxes::{DistanceRoom, EdgeBoxes, NearestEdges, distance};
 pub use measure::{area, centroid, perimeter, second_moments, signed_area};
 pub use parts::{Polygon, Rings};
 pub use sides::Sides;

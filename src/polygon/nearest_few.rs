@@ -2,8 +2,6 @@
 use super::box_ends::{Ends, NOWHERE, join, squared_gap};
 use crate::{Scalar, Vec2};
 
-/// The most edges of one list: longer ones are faster by boxes.
-const MOST: usize = 128;
 /// Differences of coordinates of which squares and products are far from the limits of the format.
 const ORDINARY: std::ops::Range<f64> = 1e-100..1e140;
 /// The squared length from which on a parameter along an edge has its digits. Shorter edges count as points.
@@ -53,32 +51,42 @@ impl<const ROOM: usize> Candidates<ROOM> {
             squares: [[f64::INFINITY; ROOM]; ROOM],
         }
     }
-    /// Finds the candidates of two lists with a box around each, and returns the least of their squares; `None` of lists
-    /// that are too long, or of numbers too large or too small. `spread` is the largest difference of two coordinates,
-    /// `slack` a bound of the roundings of a distance.
+    /// Finds the candidates of two lists with a box around each, and returns the least of their squares; `None` where there
+    /// are too many. `spread` is the largest difference of two coordinates.
+    #[inline(always)]
     pub fn find<S: Scalar>(
         &mut self,
         a: &[[Vec2<S>; 2]],
         b: &[[Vec2<S>; 2]],
         wholes: [Ends; 2],
+        approach: &Approach,
         spread: f64,
-        slack: f64,
     ) -> Option<f64> {
-        if a.len().max(b.len()) > MOST || !ORDINARY.contains(&spread) {
-            return None;
+        (self.a.count, self.b.count) = (0, 0);
+        if let Some([least, most]) = approach.limits {
+            let is_kept = |[from, to]: [f64; 2]| from >= least || to >= least;
+            let limit = approach.square;
+            self.a.fill(a, |edge| {
+                is_kept(approach.heights(edge)) && squared_gap(ends(edge), wholes[1]) <= limit
+            })?;
+            let is_kept = |[from, to]: [f64; 2]| from <= most || to <= most;
+            let others = self.a.bounds();
+            self.b.fill(b, |edge| {
+                is_kept(approach.heights(edge)) && squared_gap(ends(edge), others) <= limit
+            })?;
+            return Some(self.measure::<false>(0.0));
         }
-        // Vertices near each other bound the distance: the nearest one of b, from there that of a, and so on.
-        let (on_b, _) = nearest_start(b, wide(a.first()?[0]));
-        let (on_a, _) = nearest_start(a, on_b);
-        let (_, square) = nearest_start(b, on_a);
-        let limit = beyond(square, slack);
+        let limit = approach.square;
         let seen = a.iter().map(|&edge| ends(edge));
         let near = seen
             .filter(|&own| squared_gap(own, wholes[1]) <= limit)
             .fold(NOWHERE, |all, own| [0, 1].map(|k| join(all[k], own[k])));
-        let others = self.b.fill(b, near, limit)?;
-        let own = self.a.fill(a, others, limit)?;
-        Some(match squared_gap(own, others) > 0.0 {
+        self.b
+            .fill(b, |edge| squared_gap(ends(edge), near) <= limit)?;
+        let others = self.b.bounds();
+        self.a
+            .fill(a, |edge| squared_gap(ends(edge), others) <= limit)?;
+        Some(match squared_gap(self.a.bounds(), others) > 0.0 {
             true => self.measure::<false>(0.0),
             false => self.measure::<true>(SIDES * f64::EPSILON * spread * spread),
         })
@@ -127,18 +135,15 @@ impl<const ROOM: usize> Candidates<ROOM> {
 }
 
 impl<const ROOM: usize> Lanes<ROOM> {
-    /// Takes the edges within a squared distance of a box, and returns the box around them; `None` where they are too many.
+    /// Takes the edges that are near; `None` where they are too many.
     #[inline(always)]
     fn fill<S: Scalar>(
         &mut self,
         edges: &[[Vec2<S>; 2]],
-        others: Ends,
-        limit: f64,
-    ) -> Option<Ends> {
-        let mut whole = NOWHERE;
+        is_near: impl Fn([Vec2<S>; 2]) -> bool,
+    ) -> Option<()> {
         for (place, &edge) in edges.iter().enumerate() {
-            let own = ends(edge);
-            if squared_gap(own, others) > limit {
+            if !is_near(edge) {
                 continue;
             }
             let k = self.count;
@@ -147,7 +152,6 @@ impl<const ROOM: usize> Lanes<ROOM> {
             }
             let [from, to] = edge.map(wide);
             for axis in 0..2 {
-                whole[axis] = join(whole[axis], own[axis]);
                 self.from[axis][k] = from[axis];
                 self.to[axis][k] = to[axis];
                 self.along[axis][k] = to[axis] - from[axis];
@@ -157,7 +161,81 @@ impl<const ROOM: usize> Lanes<ROOM> {
             self.places[k] = place;
             self.count = k + 1;
         }
-        Some(whole)
+        Some(())
+    }
+    /// Returns the box around the edges.
+    #[inline(always)]
+    fn bounds(&self) -> Ends {
+        [0, 1].map(|axis| {
+            let (from, to) = (&self.from[axis][..self.count], &self.to[axis][..self.count]);
+            let both = from.iter().zip(to);
+            both.fold(NOWHERE[axis], |all, (&from, &to)| {
+                join(join(all, [from; 2]), [to; 2])
+            })
+        })
+    }
+}
+
+/// Two vertices near each other, and the heights of both lists along the way from one to the other.
+pub(super) struct Approach {
+    from: [f64; 2],
+    way: [f64; 2],
+    /// The square beyond which no edges are nearest.
+    square: f64,
+    /// Where a line parts both lists: the least height of nearest edges of the first one, and the largest of the second.
+    limits: Option<[f64; 2]>,
+}
+
+impl Approach {
+    /// Returns the way between the nearest of some vertices; `None` of numbers too large or
+    /// too small. `slack` bounds the roundings of a distance.
+    #[inline(always)]
+    pub fn of<S: Scalar>(
+        a: &[[Vec2<S>; 2]],
+        b: &[[Vec2<S>; 2]],
+        spread: f64,
+        slack: f64,
+    ) -> Option<Self> {
+        if !ORDINARY.contains(&spread) {
+            return None;
+        }
+        // Vertices near each other bound the distance: the nearest one of b, from there that of a, and so on.
+        let (on_b, _) = nearest_start(b, wide(a.first()?[0]));
+        let (on_a, _) = nearest_start(a, on_b);
+        let (on_b, square) = nearest_start(b, on_a);
+        let mut found = Approach {
+            from: on_a,
+            way: [on_b[0] - on_a[0], on_b[1] - on_a[1]],
+            square: beyond(square, slack),
+            limits: None,
+        };
+        let top = a.iter().map(|edge| found.height(edge[0]));
+        let top = top.fold(
+            f64::NEG_INFINITY,
+            |most, own| if own > most { own } else { most },
+        );
+        let bottom = b.iter().map(|edge| found.height(edge[0]));
+        let bottom = bottom.fold(f64::INFINITY, less);
+        // No two points are nearer to each other than their heights are, over the length of the way.
+        let roundings = SIDES * f64::EPSILON * spread * spread;
+        if bottom - top > roundings {
+            let reach = (found.square * square).sqrt() * (1.0 + 8.0 * f64::EPSILON) + roundings;
+            found.limits = Some([bottom - reach, top + reach]);
+        }
+        Some(found)
+    }
+    /// Returns `true` if a line has all of the first list on one side and all of the second on the other.
+    pub fn is_parted(&self) -> bool {
+        self.limits.is_some()
+    }
+    #[inline(always)]
+    fn height<S: Scalar>(&self, at: Vec2<S>) -> f64 {
+        let [x, y] = wide(at);
+        (x - self.from[0]) * self.way[0] + (y - self.from[1]) * self.way[1]
+    }
+    #[inline(always)]
+    fn heights<S: Scalar>(&self, edge: [Vec2<S>; 2]) -> [f64; 2] {
+        edge.map(|end| self.height(end))
     }
 }
 
@@ -192,15 +270,14 @@ fn ends<S: Scalar>(edge: [Vec2<S>; 2]) -> Ends {
 /// Returns the start of an edge that is nearest to a point, and the square of its distance.
 #[inline(always)]
 fn nearest_start<S: Scalar>(edges: &[[Vec2<S>; 2]], at: [f64; 2]) -> ([f64; 2], f64) {
-    let starts = edges.iter().map(|&[from, _]| wide(from));
-    starts.fold((at, f64::INFINITY), |(best, least), from| {
-        let own = square(from, at);
-        if own < least {
-            (from, own)
-        } else {
-            (best, least)
-        }
-    })
+    let (mut best, mut least) = (0, f64::INFINITY);
+    // A place is selected without a branch, which nobody could foresee.
+    for (place, &[from, _]) in edges.iter().enumerate() {
+        let own = square(wide(from), at);
+        best = if own < least { place } else { best };
+        least = less(least, own);
+    }
+    (edges.get(best).map_or(at, |&[from, _]| wide(from)), least)
 }
 
 /// Returns the approximate squared distance of a point from an edge.

@@ -2,7 +2,7 @@
 use super::cases::{at, stars};
 use super::rings::made;
 use geograd::distance::distance as between;
-use geograd::polygon::{self, EdgeBoxes, Fill, NearestEdges};
+use geograd::polygon::{self, DistanceRoom, EdgeBoxes, Fill, NearestEdges};
 use geograd::{Polygon, Segment2, Vec2};
 use geograd_tests::Dice;
 
@@ -75,12 +75,14 @@ fn distances_are_those_of_all_pairs_of_edges() {
         return;
     }
     let mut dice = Dice(5);
+    let mut room = DistanceRoom::new();
     for round in 0..300 {
         let a = made(&stars(&mut dice));
         let far = if round % 3 == 0 { 30.0 } else { 9.0 };
         let by = at(dice.within(-far, far), dice.within(-far, far));
         let b = moved(&made(&stars(&mut dice)), by, dice.within(0.2, 2.0));
         checked(&a, &b);
+        assert_eq!(room.distance(&a, &b), polygon::distance(&a, &b));
         // The same shapes far from the origin, tiny and huge.
         for factor in [1e-150, 1e-6, 1e100] {
             let (a, b) = (
