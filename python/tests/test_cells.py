@@ -118,6 +118,10 @@ def test_torch():
     weights = torch.rand(9, dtype=torch.float64, generator=torch.Generator().manual_seed(1)).mul(0.2).requires_grad_()
     domain = [SQUARE, HOLE]
     assert torch.autograd.gradcheck(lambda s, w: tuple(gt.cells(s, w, domain=domain)), (sites, weights), atol=1e-5)
+    assert torch.autograd.gradgradcheck(lambda s, w: gt.cells(s, w, domain=domain).energy, (sites, weights), atol=1e-5)
+    slope = torch.autograd.grad(gt.cells(sites, weights, domain=domain).areas.square().sum(), sites, create_graph=True)[0]
+    with pytest.raises(RuntimeError, match="areas and centroids of cells: derivatives"):
+        slope.sum().backward()
     # Lloyd's step is the fixed point of the energy.
     optimizer = torch.optim.SGD([sites], lr=0.05)
     before = gt.cells(sites, domain=domain).energy.item()

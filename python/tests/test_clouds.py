@@ -73,6 +73,7 @@ def test_gradients_of_tensors_are_those_of_differences():
         lambda a, b: clouds(a).hausdorff(clouds(b)),
     ):
         assert torch.autograd.gradcheck(query, (a, b), eps=1e-7, atol=1e-6)
+        assert torch.autograd.gradgradcheck(query, (a, b), eps=1e-7, atol=1e-5)
     single = a.detach().float().requires_grad_()
     clouds(single).chamfer(clouds(b.detach().float())).backward()
     assert single.grad.dtype == torch.float32 and single.grad.abs().sum() > 0

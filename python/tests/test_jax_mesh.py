@@ -212,3 +212,23 @@ def test_hits_have_second_derivatives_and_misses_none():
         return jnp.where(faces < 0, 0.0, jnp.where(faces < 0, 1.0, found) ** 2).sum()
 
     second(f, starts, jnp.asarray(VERTICES))
+
+
+@pytest.mark.parametrize("kind", [*SOLIDS, "Aabb3"])
+def test_distances_of_solids_have_second_derivatives(kind):
+    mesh = geograd_jax.Mesh(VERTICES, FACES)
+    rows = SOLIDS.get(kind, np.c_[POINTS[:6] * 2 - 0.1, POINTS[:6] * 2 + 0.2])
+    apart = jnp.asarray(rows[geograd.Mesh(VERTICES, FACES).distance_to(getattr(geograd, kind)(rows)) > 1e-3])
+    assert len(apart) > 2
+    second(lambda x, v: (geograd_jax.Mesh(v, like=mesh).distance_to(kind, x) ** 2).sum(), apart, jnp.asarray(VERTICES))
+
+
+def test_meshes_centroids_and_winding_numbers_have_second_derivatives():
+    mesh, v = geograd_jax.Mesh(VERTICES, FACES), jnp.asarray(VERTICES)
+    other = geograd_jax.Mesh(VERTICES * 0.5, FACES)
+    poses = jnp.asarray([[1, 0.1, 0.2, 0.3, 3.0, 0.2, 0.1], [0.2, 1, 0.1, 0.3, 0.3, -2.7, 0.5]])
+    second(lambda x, v: (geograd_jax.Mesh(v, like=mesh).distance_between(other, x) ** 2).sum(), poses, v)
+    second(lambda x, v: (mesh.distance_between(geograd_jax.Mesh(v, like=other), x) ** 2).sum(), poses, v * 0.5)
+    second(lambda x, v: (geograd_jax.Mesh(v, like=mesh).centroid() ** 3 * x).sum(), jnp.ones(3), v)
+    holed = geograd_jax.Mesh(VERTICES, FACES[::3])
+    second(lambda x, v: (geograd_jax.Mesh(v, like=holed).winding_number(x) ** 2).sum(), jnp.asarray(POINTS), v)

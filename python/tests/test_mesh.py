@@ -497,6 +497,49 @@ def test_gradients_of_solids_are_those_of_differences(kind):
     assert torch.autograd.gradcheck(query, (numbers, vertices), eps=1e-7, atol=1e-5)
 
 
+@pytest.mark.parametrize("kind", sorted(solids(np.random.default_rng(0), 1)))
+def test_distances_of_solids_have_second_derivatives(kind):
+    torch = pytest.importorskip("torch")
+    pytest.importorskip("geograd.torch")
+    vertices, faces = bumpy(0)
+    rows = solids(np.random.default_rng(16), 12)[kind]
+    found = geograd.Mesh(vertices, faces).distance_to(getattr(geograd, kind)(rows))
+    # One touches the mesh: it has no derivative.
+    rows = np.vstack([rows[found > 0.05][:4], rows[found == 0][:1]])
+    leaves = torch.tensor(rows, requires_grad=True), torch.tensor(vertices, requires_grad=True)
+
+    def query(solids, vertices):
+        return geograd.torch.Mesh(vertices, faces).distance_to(kind, solids)
+
+    if kind != "Hull3_8":
+        checked_twice(torch, query, leaves)
+        return
+    # The first ones are there, and nobody takes them for constants.
+    first = torch.autograd.grad(query(*leaves).sum(), leaves, create_graph=True)
+    assert first[1].abs().sum() > 0
+    with pytest.raises(RuntimeError, match="Hull3_8: derivatives of this order are not there"):
+        (leaves[1].sum() + first[1].square().sum()).backward()
+
+
+def test_meshes_and_centroids_have_second_derivatives():
+    torch = pytest.importorskip("torch")
+    pytest.importorskip("geograd.torch")
+    random = np.random.default_rng(17)
+    shifts = random.normal(size=(4, 3))
+    shifts *= 2.3 / np.linalg.norm(shifts, axis=1)[:, None]
+    own, other = bumpy(0), bumpy(0, seed=5)
+    given = np.hstack([turned(random, 4), shifts]), own[0], other[0] * 0.5
+    leaves = tuple(torch.tensor(part, requires_grad=True) for part in given)
+
+    def query(poses, vertices, others):
+        mesh = geograd.torch.Mesh(vertices, own[1])
+        return mesh.distance_between(geograd.torch.Mesh(others, other[1]), poses)
+
+    assert (query(*leaves) > 0.05).all()
+    checked_twice(torch, query, leaves)
+    checked_twice(torch, lambda vertices: geograd.torch.Mesh(vertices + 5.0, own[1]).centroid(), leaves[1:2])
+
+
 def test_gradients_of_poses_and_both_meshes_are_those_of_differences():
     torch = pytest.importorskip("torch")
     pytest.importorskip("geograd.torch")

@@ -10,9 +10,10 @@ import numpy as np
 
 import geograd
 from geograd import _core
+from geograd import _record_formulas as formulas
 from geograd._jax_host import floats, hosted
+from geograd._jax_verbs import _VERBS
 from geograd._mesh import SOLIDS, energy_columns
-from geograd._record_formulas import nearest, parameters
 from geograd._shapes import CLASSES
 
 Array = Any
@@ -52,10 +53,10 @@ def _count(shape: Tuple[int, ...]) -> int:
 class Mesh:
     """A mesh whose vertices are an array of shape (V, 3): :class:`geograd.Mesh` in JAX.
 
-    Results have first derivatives backwards by the points, rays, solids or poses, and by the vertices. Distances from points, closest
-    points, hits of rays and energies have second ones, too. It is a tree with one leaf, the vertices, so ``jax.grad`` of a function of a mesh gives a mesh of cotangents. The library
-    runs in a callback on the host, also under ``jit``; the tree over the faces follows the vertices from call to call. ``like`` is a mesh
-    with the same faces whose tree is used.
+    Results have first and second derivatives backwards by the points, rays, solids or poses, and by the vertices; those of ``Hull3_8``
+    have first ones. It is a tree with one leaf, the vertices, so ``jax.grad`` of a function of a mesh gives a mesh of cotangents. The
+    library runs in a callback on the host, also under ``jit``; the tree over the faces follows the vertices from call to call. ``like``
+    is a mesh with the same faces whose tree is used.
 
     >>> mesh = geograd.jax.Mesh([[0.0, 0, 0], [4, 0, 0], [0, 4, 0]], [[0, 1, 2]])
     >>> jax.grad(lambda mesh: mesh.distance(jnp.array([1.0, 1, 2])))(mesh).vertices
@@ -134,7 +135,7 @@ class Mesh:
 
         def again(record: Any, made: Any, points: Any, vertices: Any) -> Any:
             faces = jnp.asarray(tree.faces)[record[:, 0]]
-            return nearest(jnp, jax.lax.stop_gradient, kind, faces, record[:, 1], made, points, vertices).reshape(shape)
+            return formulas.nearest(jnp, jax.lax.stop_gradient, kind, faces, record[:, 1], made, points, vertices).reshape(shape)
 
         search = lambda points, vertices: tree.at(vertices).search(_rows(points))
         return hosted(xs, [shape], value, records=(_count(xs[0].shape[:-1]), 2), search=search, again=again)[0]
@@ -148,7 +149,16 @@ class Mesh:
             core, points = tree.at(vertices), _rows(points)
             return [core.winding(points)] if bars is None else core.winding(points, bars[0].reshape(-1))
 
-        return hosted(xs, [xs[0].shape[:-1]], value)[0]
+        @jax.custom_vjp
+        def again(_: Any, made: Any, points: Any, vertices: Any) -> Any:
+            return made
+
+        def by(kept: Any, bars: Any) -> Any:
+            add = lambda zero, at, rows: zero.at[at].add(rows)
+            return None, None, *formulas.swept(jnp, jnp.asarray, add, tree.faces, bars, *kept)
+
+        again.defvjp(lambda _, made, *xs: (made, xs), by)
+        return hosted(xs, [xs[0].shape[:-1]], value, again=again)[0]
 
     def rays(self, starts: Array, directions: Array) -> Tuple[Array, Array]:
         """The parameter at which each ray meets the mesh first, and the index of the face; inf and -1 for a miss."""
@@ -166,7 +176,7 @@ class Mesh:
 
         def again(faces: Any, _: Any, starts: Any, directions: Any, vertices: Any) -> Any:
             corners = jnp.asarray(tree.faces)[jnp.maximum(faces, 0)]
-            return parameters(jnp, corners, faces < 0, starts, directions, vertices).reshape(shape)
+            return formulas.parameters(jnp, corners, faces < 0, starts, directions, vertices).reshape(shape)
 
         search = lambda starts, directions, vertices: tree.at(vertices).hit_faces(_rows(starts), _rows(directions))
         values, faces = hosted(xs, [shape], value, records=(_count(shape),), search=search, again=again)
@@ -191,8 +201,13 @@ class Mesh:
                 return [_core.mesh_solid_distances(*given)]
             return _core.mesh_solid_distances(*given, bars[0].reshape(-1))
 
+        def again(faces: Any, _: Any, solids: Any, vertices: Any) -> Any:
+            corners = vertices[jnp.asarray(tree.faces)[faces]]
+            return formulas.solids(jnp, _VERBS["distance"], kind, _rows(solids, width), corners).reshape(shape)
+
         search = lambda solids, vertices: _core.mesh_solid_search(tree.at(vertices), kind, _rows(solids, width))
-        return hosted(xs, [shape], value, records=(_count(shape),), search=search)[0]
+        of = None if kind == "Hull3_8" else again
+        return hosted(xs, [shape], value, records=(_count(shape),), search=search, again=of)[0]
 
     def distance_between(self, other: Mesh, poses: Array) -> Array:
         """The distance of another mesh from this one at each pose, 0 with derivative zero where faces meet.
@@ -213,8 +228,12 @@ class Mesh:
                 return [_core.mesh_pair_distances(*given(poses, own, far), record)]
             return _core.mesh_pair_distances(*given(poses, own, far), record, bars[0].reshape(-1))
 
+        def again(record: Any, _: Any, poses: Any, *vertices: Any) -> Any:
+            corners = (own[jnp.asarray(tree.faces)[record[:, k]]] for k, (tree, own) in enumerate(zip(trees, vertices)))
+            return formulas.bodies(_VERBS["distance"], _VERBS["move"], poses, *corners).reshape(shape)
+
         search = lambda *xs: _core.mesh_pair_search(*given(*xs))
-        return hosted(xs, [shape], value, records=(_count(shape), 2), search=search)[0]
+        return hosted(xs, [shape], value, records=(_count(shape), 2), search=search, again=again)[0]
 
     def area(self) -> Array:
         """The area of all faces."""
@@ -232,7 +251,10 @@ class Mesh:
             core = tree.at(vertices)
             return [core.centroid() if bars is None else core.centroid(bars[0].reshape(1, 3))]
 
-        return hosted((self.vertices,), [(3,)], value)[0]
+        def again(_: Any, __: Any, vertices: Any) -> Any:
+            return formulas.centroid(jnp, jax.lax.stop_gradient, jnp.asarray(tree.faces), vertices)
+
+        return hosted((self.vertices,), [(3,)], value, again=again)[0]
 
     def energy(self, kind: str, constants: Any = None, elements: Any = None) -> Array:
         """A measure or an energy, as :meth:`geograd.Mesh.energy` has it, with first and second derivatives by the vertices.

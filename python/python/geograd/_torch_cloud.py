@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import numpy as np
 import torch
 
 import geograd
+from geograd import _record_formulas as formulas
 from geograd._torch_mesh import _array, _like
+from geograd._torch_mesh_formulas import differentiated
 
 
 class _Nearest(torch.autograd.Function):
@@ -23,8 +26,10 @@ class _Nearest(torch.autograd.Function):
         return torch.from_numpy(core.distances(squared, rows, found)).to(queries.dtype).reshape(queries.shape[:-1])
 
     @staticmethod
-    @torch.autograd.function.once_differentiable
     def backward(ctx: Any, upstream: torch.Tensor) -> Any:
+        if torch.is_grad_enabled():
+            again = partial(formulas.gaps, torch, ctx.squared, torch.from_numpy(ctx.found))
+            return None, None, *differentiated(again, ctx.saved_tensors, upstream)
         bars = np.ascontiguousarray(upstream.detach().numpy().reshape(-1), np.float64)
         parts = ctx.core.distances(ctx.squared, ctx.rows, ctx.found, bars)
         return None, None, *(_like(part, own) for part, own in zip(parts, ctx.saved_tensors))
@@ -40,8 +45,17 @@ class _Chamfer(torch.autograd.Function):
         return torch.tensor(cores[0].chamfer(cores[1], squared), dtype=first.dtype)
 
     @staticmethod
-    @torch.autograd.function.once_differentiable
     def backward(ctx: Any, upstream: torch.Tensor) -> Any:
+        if torch.is_grad_enabled():
+            own, other = ctx.cores
+            first, second = ctx.saved_tensors
+            found = [torch.from_numpy(core.search(_array("points", points))) for core, points in ((other, first), (own, second))]
+
+            def again(first: torch.Tensor, second: torch.Tensor) -> Any:
+                there = formulas.gaps(torch, ctx.squared, found[0], first, second).mean()
+                return there + formulas.gaps(torch, ctx.squared, found[1], second, first).mean()
+
+            return None, None, *differentiated(again, ctx.saved_tensors, upstream)
         parts = ctx.cores[0].chamfer(ctx.cores[1], ctx.squared, upstream.item())
         return None, None, *(_like(part, own) for part, own in zip(parts, ctx.saved_tensors))
 
@@ -49,7 +63,7 @@ class _Chamfer(torch.autograd.Function):
 class Cloud:
     """A cloud whose points are a tensor, of shape (P, 3): :class:`geograd.Cloud` in torch.
 
-    Results have first derivatives by the queries and by the points. Sums have the same bits every time. Of two points that are
+    Results have first and second derivatives by the queries and by the points. Sums have the same bits every time. Of two points that are
     equally near, the lower one has the derivative. It runs on the CPU.
 
     >>> points = torch.rand(100, 3, requires_grad=True)

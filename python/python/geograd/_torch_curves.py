@@ -8,7 +8,7 @@ import numpy as np
 import torch
 
 import geograd
-from geograd._torch_host import array
+from geograd._torch_host import array, last
 
 
 class _Measured(torch.autograd.Function):
@@ -17,13 +17,13 @@ class _Measured(torch.autograd.Function):
     @staticmethod
     def forward(ctx: Any, path: Any, name: str, numbers: torch.Tensor) -> torch.Tensor:
         value, slopes = getattr(path, f"{name}_grad")()
-        ctx.slopes = torch.from_numpy(np.asarray(slopes)).to(numbers.dtype)
+        ctx.name, ctx.slopes = name, torch.from_numpy(np.asarray(slopes)).to(numbers.dtype)
+        ctx.save_for_backward(numbers)
         return torch.tensor(value, dtype=numbers.dtype)
 
     @staticmethod
-    @torch.autograd.function.once_differentiable
     def backward(ctx: Any, upstream: torch.Tensor) -> Any:
-        return None, None, upstream * ctx.slopes
+        return None, None, upstream * last(ctx.name, ctx.slopes, *ctx.saved_tensors)
 
 
 class _Distance(torch.autograd.Function):
@@ -36,12 +36,12 @@ class _Distance(torch.autograd.Function):
         return torch.from_numpy(path.distance(ctx.rows)).to(points.dtype).reshape(points.shape[:-1])
 
     @staticmethod
-    @torch.autograd.function.once_differentiable
     def backward(ctx: Any, upstream: torch.Tensor) -> Any:
         points, numbers = ctx.saved_tensors
         bars = np.ascontiguousarray(upstream.detach().numpy().reshape(-1), np.float64)
         by_numbers, by_points = (torch.from_numpy(np.asarray(own)) for own in ctx.path.distance_vjp(ctx.rows, bars))
-        return None, by_points.to(points.dtype).reshape(points.shape), by_numbers.to(numbers.dtype)
+        parts = by_points.to(points.dtype).reshape(points.shape), by_numbers.to(numbers.dtype)
+        return None, *(last("distance", part, upstream, points, numbers) for part in parts)
 
 
 class CurvePath:

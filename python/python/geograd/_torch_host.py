@@ -20,3 +20,22 @@ def checked(name: str, tensor: Any, what: str) -> torch.Tensor:
 def array(name: str, tensor: Any, what: str) -> Any:
     """The numbers of a tensor in float64."""
     return np.ascontiguousarray(checked(name, tensor, what).detach().numpy(), np.float64)
+
+
+class _Last(torch.autograd.Function):
+    """A derivative that has none itself."""
+
+    @staticmethod
+    def forward(ctx: Any, what: str, part: torch.Tensor, *leaves: torch.Tensor) -> torch.Tensor:
+        ctx.what = what
+        return part
+
+    @staticmethod
+    def backward(ctx: Any, upstream: torch.Tensor) -> Any:
+        raise RuntimeError(f"{ctx.what}: derivatives of this order are not there")
+
+
+def last(what: str, part: torch.Tensor, *leaves: torch.Tensor) -> torch.Tensor:
+    """A derivative by some leaves; an error where its own derivatives are asked for, instead of none."""
+    found: torch.Tensor = _Last.apply(what, part, *leaves)
+    return found

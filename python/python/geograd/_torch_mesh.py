@@ -10,11 +10,12 @@ import torch
 
 import geograd
 from geograd import _core
+from geograd import _record_formulas as formulas
 from geograd._mesh import SOLIDS, energy_columns
 from geograd._shapes import CLASSES
-from geograd._torch_host import checked
-from geograd._record_formulas import nearest, parameters
-from geograd._torch_mesh_formulas import differentiated, swept
+from geograd._torch_host import checked, last
+from geograd._torch_mesh_formulas import differentiated
+from geograd._torch_verbs import _VERBS
 
 
 def _columns(name: str, tensor: Any, width: int) -> torch.Tensor:
@@ -54,7 +55,7 @@ class _Nearest(torch.autograd.Function):
         points, vertices = ctx.saved_tensors
         if torch.is_grad_enabled():
             faces, code = (torch.from_numpy(own) for own in (ctx.core.faces[ctx.found[:, 0]], ctx.found[:, 1]))
-            again = partial(nearest, torch, torch.Tensor.detach, ctx.kind, faces, code, ctx.values)
+            again = partial(formulas.nearest, torch, torch.Tensor.detach, ctx.kind, faces, code, ctx.values)
             return None, None, *differentiated(again, (points, vertices), upstream)
         bars = np.ascontiguousarray(upstream.detach().numpy(), np.float64)
         if ctx.kind == "closest":
@@ -87,7 +88,7 @@ class _Rays(torch.autograd.Function):
             hit = torch.from_numpy(ctx.faces >= 0).reshape(upstream.shape)
             upstream = torch.where(hit, upstream, torch.zeros_like(upstream))
             faces = torch.from_numpy(ctx.core.faces[np.maximum(ctx.faces, 0)])
-            again = partial(parameters, torch, faces, ~hit.reshape(-1))
+            again = partial(formulas.parameters, torch, faces, ~hit.reshape(-1))
             return None, *differentiated(again, ctx.saved_tensors, upstream), None
         bars = np.ascontiguousarray(upstream.detach().numpy().reshape(-1), np.float64)
         # A miss is infinitely far whatever moves; a loss may divide by that.
@@ -109,11 +110,19 @@ class _Solids(torch.autograd.Function):
         return torch.from_numpy(values).to(solids.dtype).reshape(solids.shape[:-1])
 
     @staticmethod
-    @torch.autograd.function.once_differentiable
     def backward(ctx: Any, upstream: torch.Tensor) -> Any:
+        core, kind, _ = ctx.given
+        if torch.is_grad_enabled() and kind != "Hull3_8":
+            corners = torch.from_numpy(core.faces[ctx.faces])
+
+            def again(solids: torch.Tensor, vertices: torch.Tensor) -> Any:
+                return formulas.solids(torch, _VERBS["distance"], kind, solids.reshape(-1, solids.shape[-1]), vertices[corners])
+
+            return None, None, *differentiated(again, ctx.saved_tensors, upstream)
         bars = np.ascontiguousarray(upstream.detach().numpy().reshape(-1), np.float64)
         parts = _core.mesh_solid_distances(*ctx.given, ctx.faces, bars)
-        return None, None, *(_like(part, own) for part, own in zip(parts, ctx.saved_tensors))
+        found = (_like(part, own) for part, own in zip(parts, ctx.saved_tensors))
+        return None, None, *(last(kind, part, upstream, *ctx.saved_tensors) for part in found)
 
 
 class _Between(torch.autograd.Function):
@@ -129,8 +138,15 @@ class _Between(torch.autograd.Function):
         return torch.from_numpy(values).to(poses.dtype).reshape(poses.shape[:-1])
 
     @staticmethod
-    @torch.autograd.function.once_differentiable
     def backward(ctx: Any, upstream: torch.Tensor) -> Any:
+        if torch.is_grad_enabled():
+            *cores, _, found = ctx.given
+            own, far = (torch.from_numpy(core.faces[found[:, k]]) for k, core in enumerate(cores))
+
+            def again(poses: torch.Tensor, vertices: torch.Tensor, others: torch.Tensor) -> Any:
+                return formulas.bodies(_VERBS["distance"], _VERBS["move"], poses, vertices[own], others[far])
+
+            return None, *differentiated(again, ctx.saved_tensors, upstream)
         bars = np.ascontiguousarray(upstream.detach().numpy().reshape(-1), np.float64)
         parts = _core.mesh_pair_distances(*ctx.given, bars)
         return None, *(_like(part, own) for part, own in zip(parts, ctx.saved_tensors))
@@ -149,7 +165,10 @@ class _Winding(torch.autograd.Function):
     @staticmethod
     def backward(ctx: Any, upstream: torch.Tensor) -> Any:
         if torch.is_grad_enabled():
-            by_points, by_vertices = swept(ctx.core.faces, upstream.double(), *(own.double() for own in ctx.saved_tensors))
+            given = upstream, *ctx.saved_tensors
+            by_points, by_vertices = formulas.swept(
+                torch, torch.from_numpy, lambda zero, *at: zero.index_add(0, *at), ctx.core.faces, *(own.double() for own in given)
+            )
             points, vertices = ctx.saved_tensors
             return None, by_points.to(points.dtype), by_vertices.to(vertices.dtype)
         bars = np.ascontiguousarray(upstream.detach().numpy().reshape(-1), np.float64)
@@ -167,9 +186,11 @@ class _Centroid(torch.autograd.Function):
         return torch.from_numpy(core.centroid()).to(vertices.dtype)
 
     @staticmethod
-    @torch.autograd.function.once_differentiable
     def backward(ctx: Any, upstream: torch.Tensor) -> Any:
         (vertices,) = ctx.saved_tensors
+        if torch.is_grad_enabled():
+            again = partial(formulas.centroid, torch, torch.Tensor.detach, torch.from_numpy(ctx.core.faces))
+            return None, *differentiated(again, (vertices,), upstream)
         bar = np.ascontiguousarray(upstream.detach().numpy(), np.float64).reshape(1, 3)
         return None, _like(ctx.core.centroid(bar), vertices)
 
@@ -184,14 +205,13 @@ class _Slopes(torch.autograd.Function):
         return _like(core.energy(*given, 1), vertices)
 
     @staticmethod
-    @torch.autograd.function.once_differentiable
     def backward(ctx: Any, upstream: torch.Tensor) -> Any:
         (vertices,) = ctx.saved_tensors
         rows, columns, values = ctx.core.energy(*ctx.given, 2)
         bars = np.ascontiguousarray(upstream.detach().numpy().reshape(-1), np.float64)
         # In the order of entries: the same bits every time.
         product = np.bincount(rows, weights=values * bars[columns], minlength=len(bars))
-        return None, None, _like(product, vertices)
+        return None, None, last(ctx.given[0], _like(product, vertices), upstream, vertices)
 
 
 class _Energy(torch.autograd.Function):
@@ -212,8 +232,8 @@ class _Energy(torch.autograd.Function):
 class Mesh:
     """A mesh whose vertices are a tensor, of shape (V, 3): :class:`geograd.Mesh` in torch.
 
-    Results have derivatives by the points or rays and by the vertices: of first order those of solids, other meshes and the centroid,
-    of second order all others. Sums over many points have the same bits every time. Where a closest point jumps, the derivative is
+    Results have first and second derivatives by the points, rays, solids or poses and by the vertices; those of ``Hull3_8`` have first
+    ones. Sums over many points have the same bits every time. Where a closest point jumps, the derivative is
     that of the lowest face. ``like`` is a mesh with the same faces, whose tree follows the vertices: it saves most of the time of a
     new one in a loop. It runs on the CPU.
 

@@ -7,6 +7,7 @@ import torch
 
 import geograd
 from geograd import _buffer, _columns, _core, _formulas, _polygons
+from geograd._torch_host import last
 
 
 def _checked(cls, vertices):
@@ -345,13 +346,13 @@ class _BufferMeasureSlope(torch.autograd.Function):
         return _tensor(by_vertices).to(vertices.dtype), torch.as_tensor(by_distance).to(distance.dtype)
 
     @staticmethod
-    @torch.autograd.function.once_differentiable
     def backward(ctx, by_vertices, by_distance):
         measure, column, fill = ctx.of
         bar, vertices, distance = ctx.saved_tensors
         along = _array(by_vertices), _array(by_distance)
         values, (turned, further) = measure._along(column, _array(distance), _array(bar), along, fill)
-        return None, _tensor(values), _tensor(turned).to(vertices.dtype), torch.as_tensor(further).to(distance.dtype)
+        parts = _tensor(values), _tensor(turned).to(vertices.dtype), torch.as_tensor(further).to(distance.dtype)
+        return None, *(last(measure.__name__, part, by_vertices, by_distance, bar, vertices, distance) for part in parts)
 
 
 @torch.compiler.disable
