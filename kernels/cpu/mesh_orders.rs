@@ -11,6 +11,8 @@ use std::sync::Mutex;
 const PIECE: usize = 1024;
 /// The number of queries from which on they are sorted.
 const MANY: usize = 32;
+/// The number of faces up to which rays keep the order of the list: the tree is in the cache in any case.
+const SMALL: usize = 8192;
 /// The steps of the curve along each axis, by their number of binary digits.
 const DIGITS: u32 = 10;
 
@@ -117,7 +119,10 @@ pub(super) fn first_of_all<T: Real, R: Copy + Send>(
     rays: &[Ray3<T>],
     of: impl Fn(Ray3<T>, u32) -> R + Send + Sync,
 ) -> Vec<Option<R>> {
-    let order = along_curve(rays.iter().map(|ray| plain(ray.point)));
+    let order = match surface.mesh().faces().len() {
+        ..=SMALL => (0..rays.len() as u32).collect(),
+        _ => along_curve(rays.iter().map(|ray| plain(ray.point))),
+    };
     search(&order, None, |order, found| {
         let mut faces = Vec::with_capacity(order.len());
         (kernels_in::<T>().first_faces)(surface, rays, order, &mut faces);
