@@ -3,11 +3,12 @@ use crate::cell_calls::{in_plane, vectors};
 use crate::polygon_calls::{in_watched_runs, numbers};
 use crate::raised;
 use geograd::ad::adjoint::curve_bars::{distances_vjp, length_grad, signed_area_grad};
-use geograd::curve::{CurveElement, CurvePath, CurvePlace};
+use geograd::curve::{CurveBoxes, CurveElement, CurvePath, CurvePlace};
 use geograd::{Pack, Validate, Vec2};
 use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use std::sync::OnceLock;
 
 type Object<'py> = Bound<'py, PyAny>;
 type Numbers<'py> = Bound<'py, PyArray1<f64>>;
@@ -16,6 +17,7 @@ type Numbers<'py> = Bound<'py, PyArray1<f64>>;
 #[pyclass(frozen, module = "geograd._core")]
 pub struct CurveCore {
     path: CurvePath<f64>,
+    boxes: OnceLock<CurveBoxes>,
 }
 
 /// Returns a step by its letter, with the numbers that it takes from the front of a list.
@@ -69,15 +71,19 @@ impl CurveCore {
         points: &[Vec2<f64>],
         of: impl Fn(Vec2<f64>) -> R + Send + Sync,
     ) -> PyResult<Vec<R>> {
-        let work = points.len() * (16 + self.path.count());
+        let work = points.len() * 64;
         let runs = in_watched_runs(py, points.len(), work, |run, interruption| {
             let until = run.take_while(|_| !interruption.is_due());
             until.map(|k| of(points[k])).collect::<Vec<_>>()
         })?;
         Ok(runs.concat())
     }
+    /// Returns the boxes around the pieces, made at their first use.
+    fn boxes(&self) -> &CurveBoxes {
+        self.boxes.get_or_init(|| CurveBoxes::of(&self.path))
+    }
     fn places(&self, py: Python<'_>, points: &[Vec2<f64>]) -> PyResult<Vec<CurvePlace>> {
-        let found = self.of_points(py, points, |point| self.path.closest(point))?;
+        let found = self.of_points(py, points, |point| self.boxes().closest(point))?;
         let all: Option<Vec<_>> = found.into_iter().collect();
         all.ok_or_else(|| PyValueError::new_err("the path has no pieces"))
     }
@@ -100,7 +106,8 @@ impl CurveCore {
         let wrong = |flaw: geograd::Flaw| PyValueError::new_err(flaw.to_string());
         let path = CurvePath::from_elements(elements).map_err(wrong)?;
         path.validate().map_err(wrong)?;
-        Ok(CurveCore { path })
+        let boxes = OnceLock::new();
+        Ok(CurveCore { path, boxes })
     }
     fn numbers<'py>(&self, py: Python<'py>) -> Numbers<'py> {
         PyArray1::from_vec(py, self.path.scalars())
@@ -138,7 +145,9 @@ impl CurveCore {
     fn distance<'py>(&self, py: Python<'py>, points: &Object<'py>) -> PyResult<Numbers<'py>> {
         let points = vectors(points)?;
         let found = self.of_points(py, &points, |point| {
-            self.path.distance(point).unwrap_or(f64::NAN)
+            let boxes = self.boxes();
+            let of = |place: CurvePlace| boxes.pieces()[place.piece].distance_replay(point, place);
+            boxes.closest(point).map_or(f64::NAN, of)
         })?;
         Ok(PyArray1::from_vec(py, found))
     }
@@ -146,9 +155,10 @@ impl CurveCore {
         let points = vectors(points)?;
         let places = self.places(py, &points)?;
         let both = points.iter().zip(places);
+        let pieces = self.boxes().pieces();
         in_plane(
             py,
-            both.map(|(&p, place)| self.path.closest_replay(p, place)),
+            both.map(|(&p, place)| pieces[place.piece].closest_replay(p, place)),
         )
     }
     fn winding_number<'py>(
@@ -157,7 +167,7 @@ impl CurveCore {
         points: &Object<'py>,
     ) -> PyResult<Bound<'py, PyArray1<i64>>> {
         let points = vectors(points)?;
-        let found = self.of_points(py, &points, |point| self.path.winding_number(point))?;
+        let found = self.of_points(py, &points, |point| self.boxes().winding_number(point))?;
         Ok(PyArray1::from_iter(py, found.into_iter().map(i64::from)))
     }
     fn distance_vjp<'py>(

@@ -47,6 +47,7 @@ mod bernstein;
 mod bezier;
 mod circle_arc;
 mod curve_bounds;
+mod curve_boxes;
 mod curve_length;
 mod curve_nearest;
 mod curve_path;
@@ -58,6 +59,7 @@ mod path_verbs;
 
 pub use bezier::{Cubic2, Quadratic2};
 pub use circle_arc::Arc2;
+pub use curve_boxes::CurveBoxes;
 pub use curve_nearest::{CurvePlace, CurveSpot};
 pub(crate) use curve_nearest::{nearest_spot, spot_replayed};
 pub use curve_path::{CurveElement, CurvePath};

@@ -1,9 +1,11 @@
 //! Measures of whole paths: length, area, bounds, nearest places, winding numbers, chords.
+use super::curve_boxes::{is_beyond, reach};
 use super::curve_nearest::{CurvePlace, closest_of};
 use super::curve_path::{Contour, CurvePath};
 use super::curve_piece::CurvePiece;
 use super::curve_winding::{crossings, of_chord};
 use crate::error::Error;
+use crate::polygon::box_ends::squared_gap;
 use crate::{Aabb2, Scalar, Vec2};
 
 impl<S: Scalar<Mask = bool>> CurvePath<S> {
@@ -49,7 +51,8 @@ impl<S: Scalar<Mask = bool>> CurvePath<S> {
     /// Returns the place of the path that is nearest to a point; `None` for a path without pieces. The first one of
     /// equally near ones counts.
     ///
-    /// Pieces whose control points are all farther than what was found are skipped.
+    /// Pieces whose control points are all farther than what was found are skipped. [`CurveBoxes`](super::CurveBoxes) find
+    /// places of many points sooner.
     ///
     /// ```
     /// use geograd::{Circle, Vec2, curve::CurvePath};
@@ -70,10 +73,11 @@ impl<S: Scalar<Mask = bool>> CurvePath<S> {
     pub fn closest(&self, point: Vec2<S>) -> Option<CurvePlace> {
         let wide = |x: S| x.widened().unwrap_or(f64::NAN);
         let point = Vec2::new(wide(point.x), wide(point.y));
+        let at = [[point.x; 2], [point.y; 2]];
         let mut best: Option<(CurvePlace, f64)> = None;
         for (number, piece) in self.pieces().enumerate() {
             let piece = piece.widened();
-            if best.is_some_and(|(_, found)| is_beyond(piece, point, found)) {
+            if best.is_some_and(|(_, found)| is_beyond(squared_gap(reach(piece), at), found)) {
                 continue;
             }
             let (place, found) = closest_of(piece, point);
@@ -206,31 +210,5 @@ fn join<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> Aabb2<S> {
     Aabb2 {
         min: a.min.least(b.min),
         max: a.max.most(b.max),
-    }
-}
-
-/// Returns `true` if the control points of a piece, and with them the piece, are farther than a distance from a point.
-fn is_beyond(piece: CurvePiece<f64>, point: Vec2<f64>, found: f64) -> bool {
-    let around = |all: &[Vec2<f64>]| {
-        let gap = |of: fn(&Vec2<f64>) -> f64| {
-            let low = all.iter().map(of).fold(f64::INFINITY, f64::min);
-            let high = all.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
-            (low - of(&point)).max(of(&point) - high).max(0.0)
-        };
-        // Some roundings of the differences and of the root.
-        Scalar::hypot(gap(|p| p.x), gap(|p| p.y)) > found * (1.0 + 1e-14)
-    };
-    match piece {
-        CurvePiece::Line(line) => around(&[line.from, line.to]),
-        CurvePiece::Quadratic(curve) => around(&curve.points),
-        CurvePiece::Cubic(curve) => around(&curve.points),
-        CurvePiece::Arc(arc) => {
-            // A circle about the middle of the chord holds an arc of any sweep.
-            let half = arc.height();
-            let reach = half.length().max((arc.to - arc.from).length());
-            let middle = arc.from.lerp(arc.to, 0.5) - half * 0.5;
-            let corner = Vec2::new(reach, reach) * 2.0;
-            around(&[middle - corner, middle + corner])
-        }
     }
 }

@@ -1,5 +1,6 @@
 //! The edges of two polygons that are nearest to each other, by boxes around stretches of edges.
 use super::box_ends::{Ends, NOWHERE, join, squared_gap};
+use super::box_tree::{BoxTree, FEW, Node};
 use super::nearest_few::{Approach, Candidates, beyond};
 use super::{Fill, Rings};
 use crate::arrays::sort_few;
@@ -7,8 +8,6 @@ use crate::distance::{distance as between, segments::distance_apart};
 use crate::shape::edges;
 use crate::{Scalar, Segment2, Vec2};
 
-/// The number of edges in a leaf, and of boxes in a larger one.
-const FEW: usize = 4;
 /// The most edges of a list that are all looked at: longer ones are faster by boxes.
 const MOST: usize = 128;
 /// The most edges of a list that are looked at before boxes are made, which takes as long.
@@ -32,10 +31,7 @@ const SLACK: f64 = 64.0;
 #[derive(Clone, Debug, Default)]
 pub struct EdgeBoxes<S> {
     edges: Vec<[Vec2<S>; 2]>,
-    /// The boxes of leaves, then those of every larger level; the last one has all edges.
-    boxes: Vec<Ends>,
-    /// The place of the first box of every level.
-    levels: Vec<usize>,
+    tree: BoxTree,
 }
 
 /// Two edges that are nearest to each other.
@@ -57,8 +53,7 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
     pub fn of_edges(edges: impl IntoIterator<Item = [Vec2<S>; 2]>) -> Self {
         let mut made = EdgeBoxes {
             edges: Vec::new(),
-            boxes: Vec::new(),
-            levels: Vec::new(),
+            tree: BoxTree::default(),
         };
         made.replace(edges);
         made
@@ -90,39 +85,19 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
     }
     /// Makes the boxes of all edges.
     fn build(&mut self) {
-        self.boxes.clear();
-        self.levels.clear();
-        let leaves = self.edges.chunks(FEW);
-        self.boxes.extend(leaves.map(around));
-        let mut from = 0;
-        loop {
-            let end = self.boxes.len();
-            self.levels.push(from);
-            if end - from <= 1 {
-                return;
-            }
-            for first in (from..end).step_by(FEW) {
-                let own = self.boxes[first..end.min(first + FEW)].iter();
-                let joined = own.fold(NOWHERE, |all, own| [0, 1].map(|k| join(all[k], own[k])));
-                self.boxes.push(joined);
-            }
-            from = end;
-        }
+        self.tree.replace(self.edges.chunks(FEW).map(around));
     }
     /// Returns the two edges that are nearest to each other; `None` where there are none. Coordinates are finite. Of edges
     /// that are apart and equally near the first of this list count, and beside it the first of the other.
     #[must_use]
     pub fn nearest(&self, other: &Self) -> Option<NearestEdges<S>> {
-        let (&whole, &others) = (self.boxes.last()?, other.boxes.last()?);
+        let (whole, others) = (self.tree.whole()?, other.tree.whole()?);
         let wholes = [whole, others];
         let mut search = Search::new([self, other], wholes);
         if search.all_few(wholes, MOST).is_some() {
             return search.best;
         }
-        let tops = [self, other].map(|own| Node {
-            level: own.levels.len() - 1,
-            place: 0,
-        });
+        let tops = [self.tree.top(), other.tree.top()];
         let mut left = vec![(0.0, tops)];
         while let Some((gap, nodes)) = left.pop() {
             if gap > search.limit {
@@ -137,10 +112,10 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
             }
             let side = usize::from(b.level > a.level);
             let first = left.len();
-            for child in search.both[side].children(nodes[side]) {
+            for child in search.both[side].tree.children(nodes[side]) {
                 let mut pair = nodes;
                 pair[side] = child;
-                let gap = squared_gap(self.at(pair[0]), other.at(pair[1]));
+                let gap = squared_gap(self.tree.at(pair[0]), other.tree.at(pair[1]));
                 if gap <= search.limit {
                     left.push((gap, pair));
                 }
@@ -155,8 +130,8 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
     /// Returns `true` where the boxes around both have a point in common. One polygon contains a part of another only then.
     #[must_use]
     pub fn is_near(&self, other: &Self) -> bool {
-        let both = self.boxes.last().zip(other.boxes.last());
-        both.is_some_and(|(&a, &b)| squared_gap(a, b) <= 0.0)
+        let both = self.tree.whole().zip(other.tree.whole());
+        both.is_some_and(|(a, b)| squared_gap(a, b) <= 0.0)
     }
     /// Returns the distance of a point from the nearest edge, and the first such edge; `None` where an edge is at most
     /// `floor` away, or there are none. Edge `start` is looked at first; `left` is room for the search.
@@ -167,7 +142,7 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
         floor: S,
         left: &mut Vec<(f64, Node)>,
     ) -> Option<(S, usize)> {
-        let (&whole, place) = (self.boxes.last()?, around(&[[point; 2]]));
+        let (whole, place) = (self.tree.whole()?, around(&[[point; 2]]));
         let slack = SLACK * S::format().epsilon() * spread(whole, place);
         let of = |edge: usize| {
             let [from, to] = self.edges[edge];
@@ -183,19 +158,15 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
         }
         let mut limit = bound(best.0);
         left.clear();
-        let top = Node {
-            level: self.levels.len() - 1,
-            place: 0,
-        };
-        left.push((0.0, top));
+        left.push((0.0, self.tree.top()));
         while let Some((gap, node)) = left.pop() {
             if gap > limit {
                 continue;
             }
             if node.level > 0 {
                 let first = left.len();
-                for child in self.children(node) {
-                    let gap = squared_gap(self.at(child), place);
+                for child in self.tree.children(node) {
+                    let gap = squared_gap(self.tree.at(child), place);
                     if gap <= limit {
                         left.push((gap, child));
                     }
@@ -227,19 +198,16 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
     pub(crate) fn may_touch(&self, other: [[f64; 2]; 2]) -> bool {
         let meets =
             |own: Ends| (0..2).all(|k| own[k][0] <= other[k][1] && other[k][0] <= own[k][1]);
-        let mut left = vec![Node {
-            level: self.levels.len() - 1,
-            place: 0,
-        }];
         if self.edges.is_empty() {
             return false;
         }
+        let mut left = vec![self.tree.top()];
         while let Some(node) = left.pop() {
-            if !meets(self.at(node)) {
+            if !meets(self.tree.at(node)) {
                 continue;
             }
             if node.level > 0 {
-                left.extend(self.children(node));
+                left.extend(self.tree.children(node));
                 continue;
             }
             let own = node.place * FEW..self.edges.len().min((node.place + 1) * FEW);
@@ -252,22 +220,6 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
         }
         false
     }
-    fn at(&self, node: Node) -> Ends {
-        self.boxes[self.levels[node.level] + node.place]
-    }
-    fn children(&self, node: Node) -> impl Iterator<Item = Node> {
-        let level = node.level - 1;
-        let count = self.levels[node.level] - self.levels[level];
-        let first = node.place * FEW;
-        (first..count.min(first + FEW)).map(move |place| Node { level, place })
-    }
-}
-
-/// A box: its level, and its place among those of the level.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Node {
-    level: usize,
-    place: usize,
 }
 
 /// What is known of the nearest edges.
@@ -341,7 +293,7 @@ impl<'a, S: Scalar<Mask = bool>> Search<'a, S> {
         for (ends, edge) in ends.iter_mut().zip(&self.both[1].edges[others.clone()]) {
             *ends = around(std::slice::from_ref(edge));
         }
-        let whole = self.both[1].boxes[b];
+        let whole = self.both[1].tree.at(Node { level: 0, place: b });
         for i in own {
             let edge = self.both[0].edges[i];
             let seen = around(&[edge]);
@@ -459,8 +411,7 @@ impl<S: Scalar<Mask = bool>> DistanceRoom<S> {
         DistanceRoom {
             lists: [(); 2].map(|()| EdgeBoxes {
                 edges: Vec::new(),
-                boxes: Vec::new(),
-                levels: Vec::new(),
+                tree: BoxTree::default(),
             }),
         }
     }

@@ -13,7 +13,8 @@
 //!   are inside.
 //!
 //! The vertices of all rings are numbered one ring after the other: so are their cotangents.
-mod box_ends;
+pub(crate) mod box_ends;
+pub(crate) mod box_tree;
 mod edge_boxes;
 mod located;
 mod measure;

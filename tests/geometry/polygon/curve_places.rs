@@ -2,7 +2,7 @@
 use super::cases::at;
 use super::curves::{drawn, loop_of, near};
 use geograd::ad::adjoint::curve_bars;
-use geograd::curve::{Arc2, Cubic2, CurveElement, CurvePath, CurvePiece, Quadratic2};
+use geograd::curve::{Arc2, Cubic2, CurveBoxes, CurveElement, CurvePath, CurvePiece, Quadratic2};
 use geograd::{Circle, Fixed, Pack, Scalar, Vec2, gradient, hessian};
 use geograd_tests::Dice;
 use std::f64::consts::TAU;
@@ -450,6 +450,77 @@ fn adjoints_are_the_gradients() {
         same(&by, &by_path);
         for (a, b) in by_points.iter().zip(by_all) {
             near(a.distance(b), 0.0, 1e-13);
+        }
+    }
+}
+
+/// A path of many pieces of every kind, of several contours, some of them open.
+fn long_path(dice: &mut Dice, pieces: usize, is_whole: bool) -> CurvePath<f64> {
+    let mut place = at(0.0, 0.0);
+    let mut next = |dice: &mut Dice| {
+        let by = at(dice.within(-1.0, 1.2), dice.within(-1.0, 1.1));
+        place = place
+            + if is_whole {
+                at(by.x.round(), by.y.round())
+            } else {
+                by
+            };
+        place
+    };
+    let mut path = CurvePath::at(next(dice));
+    for k in 0..pieces {
+        path = match (k % 4, dice.within(0.0, 12.0) as usize) {
+            (_, 0) => path.close(),
+            (_, 1) => path.move_to(next(dice)),
+            (0, _) => path.line_to(next(dice)),
+            (1, _) => path.quad_to(next(dice), next(dice)),
+            (2, _) => path.curve_to(next(dice), next(dice), next(dice)),
+            _ => {
+                let bulge = dice.within(-1.5, 1.5);
+                path.arc_to(next(dice), if is_whole { bulge.round() } else { bulge })
+            }
+        };
+    }
+    path
+}
+
+#[test]
+fn boxes_find_the_places_of_all_pieces_one_by_one() {
+    let mut dice = Dice(31);
+    for round in 0..60 {
+        let pieces = [0, 1, 3, 4, 5, 17, 64, 300][round % 8];
+        let path = long_path(&mut dice, pieces, round % 3 == 0);
+        let boxes = CurveBoxes::of(&path);
+        assert!(boxes.pieces().iter().copied().eq(path.pieces()));
+        for k in 0..60 {
+            let far = if k % 5 == 0 { 1e6 } else { 9.0 };
+            let mut q = at(dice.within(-far, far), dice.within(-far, far));
+            if k % 3 == 0 {
+                q = at(q.x.round(), q.y.round());
+            }
+            let mut best: Option<(f64, usize, f64)> = None;
+            for (number, piece) in path.pieces().enumerate() {
+                let (place, found) = (piece.closest(q), piece.distance(q));
+                if best.is_none_or(|(least, ..)| found < least) {
+                    best = Some((found, number, place.parameter));
+                }
+            }
+            let found = boxes.closest(q);
+            assert_eq!(found, path.closest(q));
+            // A replay may differ from the search by roundings, so that a piece nearly as near is named.
+            if let (Some(place), Some((least, ..))) = (found, best) {
+                near(
+                    path.distance_replay(q, place),
+                    least,
+                    1e-14 * (1.0 + q.length()),
+                );
+            }
+            assert_eq!(found.is_some(), best.is_some());
+            assert_eq!(
+                boxes.winding_number(q),
+                path.winding_number(q),
+                "{path:?} {q:?}"
+            );
         }
     }
 }
