@@ -47,11 +47,25 @@ pub fn crossing<S: Scalar>(start: Vec2<S>, end: Vec2<S>, point: Vec2<S>) -> S {
 /// ```
 #[must_use]
 pub fn locate<S: Scalar<Mask = bool>>(rings: &[&[Vec2<S>]], point: Vec2<S>) -> Location {
-    locate_by(rings.iter().flat_map(|ring| edges(ring)), point)
+    let mut winding = 0;
+    for ring in rings {
+        // Edges to each vertex, which are told apart sooner than those of `edges`.
+        let Some(&(mut from)) = ring.last() else {
+            continue;
+        };
+        let edges = ring
+            .iter()
+            .map(|&to| [std::mem::replace(&mut from, to), to]);
+        match locate_by(edges, point) {
+            Location::Border => return Location::Border,
+            Location::Off(own) => winding += own,
+        }
+    }
+    Location::Off(winding)
 }
 
-/// Returns the location of a point with respect to edges of closed rings. Edges above or below the point may be left
-/// out.
+/// Returns the location of a point with respect to edges of closed rings. Edges above, below or to the left of the point may
+/// be left out.
 #[inline]
 pub(crate) fn locate_by<S: Scalar<Mask = bool>>(
     edges: impl Iterator<Item = [Vec2<S>; 2]>,
@@ -59,13 +73,16 @@ pub(crate) fn locate_by<S: Scalar<Mask = bool>>(
 ) -> Location {
     let mut winding = 0;
     for [start, end] in edges {
+        let is_above = start.y.above(point.y) & end.y.above(point.y);
+        let is_below = start.y.below(point.y) & end.y.below(point.y);
+        let is_left = start.x.below(point.x) & end.x.below(point.x);
+        if is_above | is_below | is_left {
+            continue;
+        }
         let (low, high) = match start.y.at_most(end.y) {
             true => (start, end),
             false => (end, start),
         };
-        if point.y.below(low.y) || point.y.above(high.y) {
-            continue;
-        }
         if low.y.equals(high.y) {
             let inside = |p: Vec2<S>, q: Vec2<S>| p.x.at_most(point.x) && point.x.at_most(q.x);
             if inside(start, end) || inside(end, start) {

@@ -181,15 +181,14 @@ fn apart<'py, T: Format>(py: Python<'py>, a: &Polygons, b: &Polygons) -> PyResul
                 }
             }
             let [p, q] = [0, 1].map(|k| shared[k].as_ref().unwrap_or(&rooms[k]));
-            let Some(nearest) = p.nearest(q) else {
-                return T::largest();
-            };
+            // One vertex decides sooner than edges do.
             let is_held =
                 || p.is_near(q) && (holds(rings[0], rings[1]) || holds(rings[1], rings[0]));
-            match nearest.distance > T::zero() && is_held() {
-                true => T::zero(),
-                false => nearest.distance,
+            if is_held() {
+                return T::zero();
             }
+            p.nearest(q)
+                .map_or(T::largest(), |nearest| nearest.distance)
         };
         found.extend(run.map(distance));
     })?;

@@ -1,7 +1,7 @@
 //! The edges of two polygons that are nearest to each other, by boxes around stretches of edges.
 use super::box_ends::{Ends, NOWHERE, join, squared_gap};
 use super::box_tree::{BoxTree, FEW, Node};
-use super::nearest_few::{Approach, Candidates, beyond};
+use super::nearest_few::{Approach, Candidates, beyond, may_cross};
 use super::{Fill, Rings};
 use crate::arrays::sort_few;
 use crate::distance::{distance as between, segments::distance_apart};
@@ -64,24 +64,17 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
         self.edges.extend(edges);
         self.build();
     }
-    /// Takes the edges of a polygon without boxes, and returns the box around all.
+    /// Takes the edges of a polygon, without boxes.
     #[inline(always)]
-    fn take(&mut self, rings: Rings<'_, S>) -> Ends {
+    fn take(&mut self, rings: Rings<'_, S>) {
         self.edges.clear();
-        let mut whole = NOWHERE;
         for ring in rings.iter() {
-            let (Some(&first), Some(&last)) = (ring.first(), ring.last()) else {
-                continue;
-            };
-            self.edges
-                .extend(ring.windows(2).map(|pair| [pair[0], pair[1]]));
-            self.edges.push([last, first]);
-            for &v in ring {
-                let [x, y] = [v.x, v.y].map(seen);
-                whole = [join(whole[0], x), join(whole[1], y)];
+            if let (Some(&first), Some(&last)) = (ring.first(), ring.last()) {
+                let pairs = ring.windows(2).map(|pair| [pair[0], pair[1]]);
+                self.edges.extend(pairs);
+                self.edges.push([last, first]);
             }
         }
-        whole
     }
     /// Makes the boxes of all edges.
     fn build(&mut self) {
@@ -249,9 +242,9 @@ impl<'a, S: Scalar<Mask = bool>> Search<'a, S> {
         }
     }
     /// Compares the edges that approximate distances leave, given the boxes around both lists. Returns `None` of lists that
-    /// have more of them than there is room, and `true` where a line has each list on one side.
+    /// have more of them than there is room, or more than so many edges.
     #[inline(always)]
-    fn all_few(&mut self, wholes: [Ends; 2], most: usize) -> Option<bool> {
+    fn all_few(&mut self, wholes: [Ends; 2], most: usize) -> Option<()> {
         let [a, b] = self.both;
         if a.edges.len().max(b.edges.len()) > most {
             return None;
@@ -265,7 +258,7 @@ impl<'a, S: Scalar<Mask = bool>> Search<'a, S> {
             5..=8 => self.few::<8>(wholes, &approach),
             _ => self.few::<16>(wholes, &approach),
         };
-        is_found.then_some(approach.is_parted())
+        is_found.then_some(())
     }
     /// Compares such edges where there are not more of either list than there is room.
     fn few<const ROOM: usize>(&mut self, wholes: [Ends; 2], approach: &Approach) -> bool {
@@ -307,7 +300,8 @@ impl<'a, S: Scalar<Mask = bool>> Search<'a, S> {
             for (j, ends) in others.clone().zip(ends) {
                 let gap = squared_gap(seen, ends);
                 if gap <= self.limit {
-                    self.compare(i, j, gap > 0.0);
+                    let other = self.both[1].edges[j];
+                    self.compare(i, j, gap > 0.0 || !may_cross(edge, other, self.spread));
                 }
             }
         }
@@ -361,6 +355,31 @@ fn around<S: Scalar>(edges: &[[Vec2<S>; 2]]) -> Ends {
     ends.fold(NOWHERE, |[x, y], end| {
         [join(x, seen(end.x)), join(y, seen(end.y))]
     })
+}
+
+/// Returns the box around a polygon; `None` without vertices.
+#[inline(always)]
+fn whole<S: Scalar>(rings: Rings<'_, S>) -> Option<Ends> {
+    let mut found = None;
+    for ring in rings.iter().filter(|ring| !ring.is_empty()) {
+        let at = |v: Vec2<S>| [seen(v.x), seen(v.y)];
+        // Two boxes: the comparisons of one vertex need not wait for those of the one before.
+        let (mut one, mut other) = (found.unwrap_or(NOWHERE), NOWHERE);
+        let pairs = ring.chunks_exact(2);
+        if let &[last] = pairs.remainder() {
+            one = joined(one, at(last));
+        }
+        for pair in pairs {
+            (one, other) = (joined(one, at(pair[0])), joined(other, at(pair[1])));
+        }
+        found = Some(joined(one, other));
+    }
+    found
+}
+
+#[inline(always)]
+fn joined(a: Ends, b: Ends) -> Ends {
+    [0, 1].map(|k| join(a[k], b[k]))
 }
 
 /// Returns the largest difference of two coordinates of the points of two boxes.
@@ -420,36 +439,27 @@ impl<S: Scalar<Mask = bool>> DistanceRoom<S> {
     pub fn distance<'a>(&mut self, a: impl Into<Rings<'a, S>>, b: impl Into<Rings<'a, S>>) -> S {
         let (a, b) = (a.into(), b.into());
         let [own, other] = &mut self.lists;
-        let wholes = [own.take(a), other.take(b)];
-        if own.edges.is_empty() || other.edges.is_empty() {
+        let (Some(whole), Some(others)) = (whole(a), whole(b)) else {
             return S::largest();
+        };
+        let wholes = [whole, others];
+        // A search of edges takes longer than a decision for one vertex, which often settles overlaps.
+        let is_near = squared_gap(wholes[0], wholes[1]) <= 0.0;
+        if is_near && (a.holds_one_of(wholes[0], b) || b.holds_one_of(wholes[1], a)) {
+            return S::zero();
         }
+        own.take(a);
+        other.take(b);
         let mut search = Search::new([own, other], wholes);
-        let found = search.all_few(wholes, MANY);
-        if found == Some(true) {
-            return search.best.map_or(S::largest(), |best| best.distance);
-        }
-        if found.is_some() {
-            return apart(a, b, wholes, search.best);
-        }
-        own.build();
-        other.build();
-        apart(a, b, wholes, own.nearest(other))
-    }
-}
-
-/// Returns the distance of two polygons from their nearest edges and the boxes around both.
-fn apart<S: Scalar<Mask = bool>>(
-    a: Rings<'_, S>,
-    b: Rings<'_, S>,
-    wholes: [Ends; 2],
-    nearest: Option<NearestEdges<S>>,
-) -> S {
-    let is_near = squared_gap(wholes[0], wholes[1]) <= 0.0;
-    match nearest {
-        None => S::largest(),
-        Some(_) if is_near && (a.holds_a_ring_of(b) || b.holds_a_ring_of(a)) => S::zero(),
-        Some(nearest) => nearest.distance,
+        let best = match search.all_few(wholes, MANY) {
+            Some(()) => search.best,
+            None => {
+                own.build();
+                other.build();
+                own.nearest(other)
+            }
+        };
+        best.map_or(S::largest(), |best| best.distance)
     }
 }
 
@@ -458,12 +468,14 @@ impl<S: Scalar<Mask = bool>> Rings<'_, S> {
     /// border. Of polygons whose edges are apart it says whether one contains a part of the other.
     #[must_use]
     pub fn holds_a_ring_of(&self, other: Rings<'_, S>) -> bool {
-        let Some(bounds) = self.bounds() else {
-            return false;
-        };
-        let firsts = other.iter().filter_map(<[_]>::first);
-        firsts
-            .copied()
-            .any(|v| bounds.contains(v) && self.contains(v, Fill::EvenOdd))
+        whole(*self).is_some_and(|whole| self.holds_one_of(whole, other))
+    }
+    /// Decides the same, given the box around the polygon.
+    #[inline(always)]
+    fn holds_one_of(&self, whole: Ends, other: Rings<'_, S>) -> bool {
+        let mut firsts = other.iter().filter_map(<[_]>::first);
+        firsts.any(|&v| {
+            squared_gap(whole, around(&[[v; 2]])) <= 0.0 && self.contains(v, Fill::EvenOdd)
+        })
     }
 }

@@ -291,6 +291,20 @@ fn apart(at: [f64; 2], from: [f64; 2], along: [f64; 2], inverse: f64) -> f64 {
     x * x + y * y
 }
 
+/// Returns `true` unless the ends of one of two edges surely lie on one side of the other's line. `spread` is the largest
+/// difference of two coordinates.
+#[inline(always)]
+pub(super) fn may_cross<S: Scalar>(a: [Vec2<S>; 2], b: [Vec2<S>; 2], spread: f64) -> bool {
+    if !ORDINARY.contains(&spread) {
+        return true;
+    }
+    let slack = SIDES * f64::EPSILON * spread * spread;
+    let ([from, to], [start, end]) = (a.map(wide), b.map(wide));
+    let along = |[from, to]: [[f64; 2]; 2]| [to[0] - from[0], to[1] - from[1]];
+    parts(from, along([from, to]), start, end, slack)
+        && parts(start, along([start, end]), from, to, slack)
+}
+
 /// Returns `true` unless two points surely lie on one side of the line of an edge.
 #[inline(always)]
 fn parts(from: [f64; 2], along: [f64; 2], p: [f64; 2], q: [f64; 2], slack: f64) -> bool {
