@@ -53,15 +53,17 @@ def stars(draw, vertices, count):
     return np.stack([radii * np.cos(angles), radii * np.sin(angles)], -1)
 
 
-def distances(count, vertices):
+def distances(count, vertices, way=2.1):
+    """Stars whose centres are so far from each other: from 2 on they are apart."""
     draw = np.random.default_rng(1)
     a, b = stars(draw, vertices, count), stars(draw, vertices, count)
     turn = draw.uniform(0, 2 * np.pi, count)
-    b = b + 2.1 * np.stack([np.cos(turn), np.sin(turn)], -1)[:, None]
+    b = b + way * np.stack([np.cos(turn), np.sin(turn)], -1)[:, None]
     at = draw.uniform(0, 100, (count, 1, 2))
     theirs = [shapely.polygons(own + at) for own in (a, b)]
     ours = [geograd.Polygons.of(own) for own in theirs]
-    line(f"distances of {count} polygons of {vertices}", lambda: shapely.distance(*theirs), lambda: geograd.distance(*ours))
+    name = "" if way > 2 else f", centres {way} apart"
+    line(f"distances of {count} polygons of {vertices}{name}", lambda: shapely.distance(*theirs), lambda: geograd.distance(*ours))
 
 
 def measures(count):
@@ -101,6 +103,9 @@ def main():
         for vertices in (4, 12, 100):
             if count * vertices <= 120_000:
                 distances(count, vertices)
+    for way in (1.2, 0.3):
+        for vertices in (4, 12, 100):
+            distances(1000, vertices, way)
     for count in (100, 1000, 10_000):
         measures(count)
     for count, vertices in ((1000, 8), (1000, 50), (20, 1000)):
