@@ -144,6 +144,43 @@ fn the_leash_is_the_shortest_with_which_both_arrive() {
     }
 }
 
+#[test]
+fn long_walks_have_the_shortest_leash() {
+    let mut dice = Dice(12);
+    for round in 0..60 {
+        let counts = [1 + dice.below(160), 1 + dice.below(160)];
+        let [mut a, mut b] = counts.map(|count| grid(&mut dice, count, 2 + round % 30));
+        if round % 3 == 0 {
+            // Walks near each other, of which a search looks at few pairs.
+            a = (0..counts[0] as i128).map(|k| [4 * k, k % 3]).collect();
+            b = a
+                .iter()
+                .map(|[x, y]| [x + 1, y + dice.below(3) as i128])
+                .collect();
+        }
+        // The squares at which more walks arrive, by halves.
+        let (mut low, mut high) = (-1, 4 * 200_i128.pow(2) * 10);
+        while high - low > 1 {
+            let middle = (low + high) / 2;
+            match reaches(&a, &b, middle) {
+                true => high = middle,
+                false => low = middle,
+            }
+        }
+        let [p, q] = [&a, &b].map(|all| placed(all));
+        let (found, pair) = frechet_search(&p, &q).unwrap();
+        near(found, (high as f64).sqrt(), 1e-15);
+        assert_eq!(frechet_replay(&p, &q, pair), found);
+        let narrow = |all: &[Vec2<f64>]| -> Vec<Vec2<f32>> {
+            all.iter()
+                .map(|v| Vec2::new(v.x as f32, v.y as f32))
+                .collect()
+        };
+        let (_, of_narrow) = frechet_search(&narrow(&p), &narrow(&q)).unwrap();
+        assert_eq!(of_narrow, pair);
+    }
+}
+
 fn wavy(dice: &mut Dice, count: usize, lift: f64) -> Way {
     let mut place = |k: usize| at(k as f64 * 0.1, lift + dice.within(-0.3, 0.3));
     (0..count).map(&mut place).collect()

@@ -16,6 +16,8 @@
 //! let (_, (_, by_track)) = geograd::gradient(|(a, b)| frechet_replay(&a, &b, pair), (road, track));
 //! assert_eq!(by_track.map(|v| v.y), [0.0, 1.0, 0.0]);
 //! ```
+mod leash;
+
 use crate::distance::distance;
 use crate::polygon::{EdgeBoxes, Rings};
 use crate::{Scalar, Segment2, Vec2};
@@ -264,79 +266,8 @@ pub fn frechet_search<S: Scalar<Mask = bool>>(
     a: &[Vec2<S>],
     b: &[Vec2<S>],
 ) -> Option<(S, [usize; 2])> {
-    let numbers = |all: &[Vec2<S>]| {
-        let wide = |v: &Vec2<S>| Some(Vec2::new(v.x.widened()?, v.y.widened()?));
-        all.iter().map(wide).collect::<Option<Vec<_>>>()
-    };
-    let spread = |all: &[Vec2<f64>]| {
-        all.iter()
-            .fold(0.0, |most: f64, v| most.max(v.x.abs()).max(v.y.abs()))
-    };
-    let both = numbers(a).zip(numbers(b));
-    let pair = match both.filter(|(p, q)| (1e-100..1e100).contains(&spread(p).max(spread(q)))) {
-        Some((p, q)) => leash([p.len(), q.len()], |i, j| (p[i] - q[j]).length_squared()),
-        // Squares would leave the format.
-        None => leash([a.len(), b.len()], |i, j| a[i].distance(b[j])),
-    }?;
+    let pair = leash::deciding(a, b)?;
     Some((frechet_replay(a, b, pair), pair))
-}
-
-/// Returns the pair that decides the least of the largest costs of walks from the first to the last pair.
-fn leash<C: Scalar<Mask = bool>>(
-    [n, m]: [usize; 2],
-    cost: impl Fn(usize, usize) -> C,
-) -> Option<[usize; 2]> {
-    if n == 0 || m == 0 {
-        return None;
-    }
-    // Some walk, by the nearest pairs, bounds what others may cost.
-    let (mut i, mut j, mut most) = (0, 0, cost(0, 0));
-    while i + 1 < n || j + 1 < m {
-        let mut next = None::<(C, usize, usize)>;
-        for (k, l) in [(i + 1, j + 1), (i + 1, j), (i, j + 1)] {
-            if k < n && l < m {
-                let own = cost(k, l);
-                if next.is_none_or(|(least, ..)| own.below(least)) {
-                    next = Some((own, k, l));
-                }
-            }
-        }
-        let (own, k, l) = next?;
-        (i, j) = (k, l);
-        most = if most.below(own) { own } else { most };
-    }
-    // The least cost up to each vertex of the second path and the present one of the first, with the pair that decides it;
-    // none where all walks cost more than that one. Only places from `first` on can be reached.
-    let mut row = vec![None::<(C, [u32; 2])>; m];
-    let (mut first, mut end) = (0, 1);
-    for i in 0..n {
-        let (mut diagonal, mut left) = (None, None);
-        let (from, mut to) = (first, first);
-        let mut is_first = true;
-        for (j, place) in row.iter_mut().enumerate().skip(from) {
-            if j > end && left.is_none() && i > 0 {
-                break;
-            }
-            let up = if i > 0 && j < end { *place } else { None };
-            let before = [diagonal, up, left].into_iter().flatten();
-            let shortest = before.reduce(|x, y| if y.0.below(x.0) { y } else { x });
-            let own = cost(i, j);
-            let is_reached = shortest.is_some() || (i == 0 && j == 0);
-            let found = (is_reached && own.at_most(most)).then(|| match shortest {
-                Some(before) if own.at_most(before.0) => before,
-                _ => (own, [i as u32, j as u32]),
-            });
-            (diagonal, left, *place) = (up, found, found);
-            if found.is_some() {
-                if is_first {
-                    (first, is_first) = (j, false);
-                }
-                to = j + 1;
-            }
-        }
-        end = to;
-    }
-    row[m - 1].map(|(_, pair)| pair.map(|k| k as usize))
 }
 
 /// Returns the distance of a vertex of each path, in any scalar: [`frechet`] where they are those that decide it.
