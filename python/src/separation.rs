@@ -168,7 +168,7 @@ fn apart<'py, T: Format>(py: Python<'py>, a: &Polygons, b: &Polygons) -> PyResul
     let work = vertices.iter().map(|own| own.len().max(count)).sum();
     let distances = listed(py, count, work, |run: Range<usize>, found| {
         if shared.iter().all(Option::is_none) {
-            let mut room = DistanceRoom::new();
+            let mut room = DistanceRoom::default();
             found.extend(run.map(|item| room.distance(at(0, item), at(1, item))));
             return;
         }

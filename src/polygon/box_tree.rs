@@ -23,6 +23,11 @@ pub(crate) struct BoxTree {
 }
 
 impl BoxTree {
+    /// Boxes of nothing.
+    pub const NONE: Self = BoxTree {
+        boxes: Vec::new(),
+        levels: Vec::new(),
+    };
     /// Takes other leaves, each around [`FEW`] items, and keeps the memory.
     pub fn replace(&mut self, leaves: impl Iterator<Item = Ends>) {
         self.boxes.clear();

@@ -1,8 +1,8 @@
 //! The edges of two polygons that are nearest to each other, by boxes around stretches of edges.
+use super::Rings;
 use super::box_ends::{Ends, NOWHERE, join, squared_gap};
 use super::box_tree::{BoxTree, FEW, Node};
 use super::nearest_few::{Approach, Candidates, beyond, may_cross};
-use super::{Fill, Rings};
 use crate::arrays::sort_few;
 use crate::distance::{distance as between, segments::distance_apart};
 use crate::shape::edges;
@@ -10,8 +10,6 @@ use crate::{Scalar, Segment2, Vec2};
 
 /// The most edges of a list that are all looked at: longer ones are faster by boxes.
 const MOST: usize = 128;
-/// The most edges of a list that are looked at before boxes are made, which takes as long.
-const MANY: usize = 1024;
 /// A bound of the rounding errors of the distance of two edges, in units of ε times the largest difference of two of
 /// their coordinates: eight products and quotients of a few roundings each.
 const SLACK: f64 = 64.0;
@@ -43,6 +41,16 @@ pub struct NearestEdges<S> {
     pub edges: [usize; 2],
 }
 
+impl<S> EdgeBoxes<S> {
+    /// Creates boxes of no edges.
+    pub(super) const fn none() -> Self {
+        EdgeBoxes {
+            edges: Vec::new(),
+            tree: BoxTree::NONE,
+        }
+    }
+}
+
 impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
     /// Creates the boxes of a polygon's edges, in time in proportion to their number.
     #[must_use]
@@ -51,10 +59,7 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
     }
     /// Creates the boxes of edges from any one point to another.
     pub fn of_edges(edges: impl IntoIterator<Item = [Vec2<S>; 2]>) -> Self {
-        let mut made = EdgeBoxes {
-            edges: Vec::new(),
-            tree: BoxTree::default(),
-        };
+        let mut made = EdgeBoxes::none();
         made.replace(edges);
         made
     }
@@ -66,7 +71,7 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
     }
     /// Takes the edges of a polygon, without boxes.
     #[inline(always)]
-    fn take(&mut self, rings: Rings<'_, S>) {
+    pub(super) fn take(&mut self, rings: Rings<'_, S>) {
         self.edges.clear();
         for ring in rings.iter() {
             if let (Some(&first), Some(&last)) = (ring.first(), ring.last()) {
@@ -77,7 +82,7 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
         }
     }
     /// Makes the boxes of all edges.
-    fn build(&mut self) {
+    pub(super) fn build(&mut self) {
         self.tree.replace(self.edges.chunks(FEW).map(around));
     }
     /// Returns the two edges that are nearest to each other; `None` where there are none. Coordinates are finite. Of edges
@@ -90,34 +95,7 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
         if search.all_few(wholes, MOST).is_some() {
             return search.best;
         }
-        let tops = [self.tree.top(), other.tree.top()];
-        let mut left = vec![(0.0, tops)];
-        while let Some((gap, nodes)) = left.pop() {
-            if gap > search.limit {
-                continue;
-            }
-            let [a, b] = nodes;
-            if a.level == 0 && b.level == 0 {
-                if search.leaves(a.place, b.place) {
-                    break;
-                }
-                continue;
-            }
-            let side = usize::from(b.level > a.level);
-            let first = left.len();
-            for child in search.both[side].tree.children(nodes[side]) {
-                let mut pair = nodes;
-                pair[side] = child;
-                let gap = squared_gap(self.tree.at(pair[0]), other.tree.at(pair[1]));
-                if gap <= search.limit {
-                    left.push((gap, pair));
-                }
-            }
-            // The nearest pair comes first.
-            sort_few(&mut left[first..], |(one, _), (another, _)| {
-                another.total_cmp(one).is_lt()
-            });
-        }
+        search.by_boxes();
         search.best
     }
     /// Returns `true` where the boxes around both have a point in common. One polygon contains a part of another only then.
@@ -216,9 +194,9 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
 }
 
 /// What is known of the nearest edges.
-struct Search<'a, S> {
+pub(super) struct Search<'a, S> {
     both: [&'a EdgeBoxes<S>; 2],
-    best: Option<NearestEdges<S>>,
+    pub best: Option<NearestEdges<S>>,
     /// The least known square of a distance.
     square: f64,
     /// The squared gap beyond which no edge can be nearest.
@@ -230,7 +208,7 @@ struct Search<'a, S> {
 
 impl<'a, S: Scalar<Mask = bool>> Search<'a, S> {
     #[inline(always)]
-    fn new(both: [&'a EdgeBoxes<S>; 2], wholes: [Ends; 2]) -> Self {
+    pub fn new(both: [&'a EdgeBoxes<S>; 2], wholes: [Ends; 2]) -> Self {
         let spread = spread(wholes[0], wholes[1]);
         Search {
             both,
@@ -244,7 +222,7 @@ impl<'a, S: Scalar<Mask = bool>> Search<'a, S> {
     /// Compares the edges that approximate distances leave, given the boxes around both lists. Returns `None` of lists that
     /// have more of them than there is room, or more than so many edges.
     #[inline(always)]
-    fn all_few(&mut self, wholes: [Ends; 2], most: usize) -> Option<()> {
+    pub fn all_few(&mut self, wholes: [Ends; 2], most: usize) -> Option<()> {
         let [a, b] = self.both;
         if a.edges.len().max(b.edges.len()) > most {
             return None;
@@ -274,6 +252,38 @@ impl<'a, S: Scalar<Mask = bool>> Search<'a, S> {
             }
         }
         true
+    }
+    /// Compares all edges whose boxes are near, of two lists that have boxes.
+    pub fn by_boxes(&mut self) {
+        let [own, other] = self.both;
+        let tops = [own.tree.top(), other.tree.top()];
+        let mut left = vec![(0.0, tops)];
+        while let Some((gap, nodes)) = left.pop() {
+            if gap > self.limit {
+                continue;
+            }
+            let [a, b] = nodes;
+            if a.level == 0 && b.level == 0 {
+                if self.leaves(a.place, b.place) {
+                    break;
+                }
+                continue;
+            }
+            let side = usize::from(b.level > a.level);
+            let first = left.len();
+            for child in self.both[side].tree.children(nodes[side]) {
+                let mut pair = nodes;
+                pair[side] = child;
+                let gap = squared_gap(own.tree.at(pair[0]), other.tree.at(pair[1]));
+                if gap <= self.limit {
+                    left.push((gap, pair));
+                }
+            }
+            // The nearest pair comes first.
+            sort_few(&mut left[first..], |(one, _), (another, _)| {
+                another.total_cmp(one).is_lt()
+            });
+        }
     }
     /// Compares the edges of two leaves. Returns `true` once two edges meet.
     fn leaves(&mut self, a: usize, b: usize) -> bool {
@@ -343,42 +353,22 @@ impl<'a, S: Scalar<Mask = bool>> Search<'a, S> {
 
 /// Returns a coordinate as an interval; everything in a format that has no exact value as `f64`.
 #[inline(always)]
-fn seen<S: Scalar>(x: S) -> [f64; 2] {
+pub(super) fn seen<S: Scalar>(x: S) -> [f64; 2] {
     x.widened()
         .map_or([f64::NEG_INFINITY, f64::INFINITY], |x| [x, x])
 }
 
 /// Returns the box around edges.
 #[inline(always)]
-fn around<S: Scalar>(edges: &[[Vec2<S>; 2]]) -> Ends {
+pub(super) fn around<S: Scalar>(edges: &[[Vec2<S>; 2]]) -> Ends {
     let ends = edges.iter().flatten();
     ends.fold(NOWHERE, |[x, y], end| {
         [join(x, seen(end.x)), join(y, seen(end.y))]
     })
 }
 
-/// Returns the box around a polygon; `None` without vertices.
 #[inline(always)]
-fn whole<S: Scalar>(rings: Rings<'_, S>) -> Option<Ends> {
-    let mut found = None;
-    for ring in rings.iter().filter(|ring| !ring.is_empty()) {
-        let at = |v: Vec2<S>| [seen(v.x), seen(v.y)];
-        // Two boxes: the comparisons of one vertex need not wait for those of the one before.
-        let (mut one, mut other) = (found.unwrap_or(NOWHERE), NOWHERE);
-        let pairs = ring.chunks_exact(2);
-        if let &[last] = pairs.remainder() {
-            one = joined(one, at(last));
-        }
-        for pair in pairs {
-            (one, other) = (joined(one, at(pair[0])), joined(other, at(pair[1])));
-        }
-        found = Some(joined(one, other));
-    }
-    found
-}
-
-#[inline(always)]
-fn joined(a: Ends, b: Ends) -> Ends {
+pub(super) fn joined(a: Ends, b: Ends) -> Ends {
     [0, 1].map(|k| join(a[k], b[k]))
 }
 
@@ -393,89 +383,4 @@ fn squared_distance<S: Scalar>(a: Vec2<S>, b: Vec2<S>) -> f64 {
     let wide = |x: S| x.widened().unwrap_or(f64::INFINITY);
     let (x, y) = (wide(a.x) - wide(b.x), wide(a.y) - wide(b.y));
     x * x + y * y
-}
-
-/// Returns the distance of the areas of two polygons, in units of length; 0 with derivative zero where they meet or one
-/// contains the other, by the even-odd rule. Largest finite number where one has no vertices.
-///
-/// Search by boxes, of time in proportion to the number of vertices for polygons that are not long beside each other.
-/// Whether areas meet is decided exactly, but for edges that cross within a rounding.
-/// Kinks: several nearest edges, of which the first have the derivative, and polygons that touch.
-///
-/// ```
-/// use geograd::{Aabb2, Rings, polygon};
-/// let (a, b) = (Aabb2::new(0.0, 0.0, 4.0, 4.0).corners(), Aabb2::new(7.0, 8.0, 9.0, 9.0).corners());
-/// assert_eq!(polygon::distance(&a, &b), 5.0);
-/// let inner = Aabb2::new(1.0, 1.0, 2.0, 2.0).corners();
-/// assert_eq!(polygon::distance(&a, &inner), 0.0);
-/// ```
-#[must_use]
-pub fn distance<'a, S: Scalar<Mask = bool>>(
-    a: impl Into<Rings<'a, S>>,
-    b: impl Into<Rings<'a, S>>,
-) -> S {
-    DistanceRoom::new().distance(a, b)
-}
-
-/// Memory for [`distance`] between one call and the next.
-#[derive(Clone, Debug)]
-pub struct DistanceRoom<S> {
-    lists: [EdgeBoxes<S>; 2],
-}
-
-impl<S: Scalar<Mask = bool>> DistanceRoom<S> {
-    /// Creates a room, without memory before its first use.
-    #[must_use]
-    pub fn new() -> Self {
-        DistanceRoom {
-            lists: [(); 2].map(|()| EdgeBoxes {
-                edges: Vec::new(),
-                tree: BoxTree::default(),
-            }),
-        }
-    }
-    /// Returns the [`distance`] of two polygons.
-    #[must_use]
-    pub fn distance<'a>(&mut self, a: impl Into<Rings<'a, S>>, b: impl Into<Rings<'a, S>>) -> S {
-        let (a, b) = (a.into(), b.into());
-        let [own, other] = &mut self.lists;
-        let (Some(whole), Some(others)) = (whole(a), whole(b)) else {
-            return S::largest();
-        };
-        let wholes = [whole, others];
-        // A search of edges takes longer than a decision for one vertex, which often settles overlaps.
-        let is_near = squared_gap(wholes[0], wholes[1]) <= 0.0;
-        if is_near && (a.holds_one_of(wholes[0], b) || b.holds_one_of(wholes[1], a)) {
-            return S::zero();
-        }
-        own.take(a);
-        other.take(b);
-        let mut search = Search::new([own, other], wholes);
-        let best = match search.all_few(wholes, MANY) {
-            Some(()) => search.best,
-            None => {
-                own.build();
-                other.build();
-                own.nearest(other)
-            }
-        };
-        best.map_or(S::largest(), |best| best.distance)
-    }
-}
-
-impl<S: Scalar<Mask = bool>> Rings<'_, S> {
-    /// Returns `true` if the first vertex of some ring of another polygon is inside by the even-odd rule, or on the
-    /// border. Of polygons whose edges are apart it says whether one contains a part of the other.
-    #[must_use]
-    pub fn holds_a_ring_of(&self, other: Rings<'_, S>) -> bool {
-        whole(*self).is_some_and(|whole| self.holds_one_of(whole, other))
-    }
-    /// Decides the same, given the box around the polygon.
-    #[inline(always)]
-    fn holds_one_of(&self, whole: Ends, other: Rings<'_, S>) -> bool {
-        let mut firsts = other.iter().filter_map(<[_]>::first);
-        firsts.any(|&v| {
-            squared_gap(whole, around(&[[v; 2]])) <= 0.0 && self.contains(v, Fill::EvenOdd)
-        })
-    }
 }

@@ -20,12 +20,14 @@ mod located;
 mod measure;
 mod nearest_few;
 mod parts;
+mod polygon_gap;
 mod sides;
 pub(crate) mod slabs;
 
 pub use crate::distance::ring::Fill;
-pub use edge_boxes::{DistanceRoom, EdgeBoxes, NearestEdges, distance};
+pub use edge_boxes::{EdgeBoxes, NearestEdges};
 pub use measure::{area, centroid, perimeter, second_moments, signed_area};
 pub use parts::{Polygon, Rings};
+pub use polygon_gap::{DistanceRoom, distance};
 pub use sides::Sides;
 pub use slabs::Slabs;

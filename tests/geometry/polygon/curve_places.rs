@@ -459,12 +459,10 @@ fn long_path(dice: &mut Dice, pieces: usize, is_whole: bool) -> CurvePath<f64> {
     let mut place = at(0.0, 0.0);
     let mut next = |dice: &mut Dice| {
         let by = at(dice.within(-1.0, 1.2), dice.within(-1.0, 1.1));
-        place = place
-            + if is_whole {
-                at(by.x.round(), by.y.round())
-            } else {
-                by
-            };
+        place += match is_whole {
+            true => at(by.x.round(), by.y.round()),
+            false => by,
+        };
         place
     };
     let mut path = CurvePath::at(next(dice));

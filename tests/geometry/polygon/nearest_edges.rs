@@ -75,7 +75,7 @@ fn distances_are_those_of_all_pairs_of_edges() {
         return;
     }
     let mut dice = Dice(5);
-    let mut room = DistanceRoom::new();
+    let mut room = DistanceRoom::default();
     for round in 0..300 {
         let a = made(&stars(&mut dice));
         let far = if round % 3 == 0 { 30.0 } else { 9.0 };
