@@ -187,8 +187,8 @@ pub(super) struct Approach {
 }
 
 impl Approach {
-    /// Returns the way between the nearest of some vertices; `None` of numbers too large or
-    /// too small. `slack` bounds the roundings of a distance.
+    /// Returns the way between the nearest of some vertices; `None` of numbers too large or too small. `slack` bounds the
+    /// roundings of a distance.
     #[inline(always)]
     pub fn of<S: Scalar>(
         a: &[[Vec2<S>; 2]],
@@ -209,13 +209,16 @@ impl Approach {
             square: beyond(square, slack),
             limits: None,
         };
-        let top = a.iter().map(|edge| found.height(edge[0]));
-        let top = top.fold(
-            f64::NEG_INFINITY,
-            |most, own| if own > most { own } else { most },
-        );
-        let bottom = b.iter().map(|edge| found.height(edge[0]));
-        let bottom = bottom.fold(f64::INFINITY, less);
+        let more = |a: f64, b: f64| if b > a { b } else { a };
+        let (mut top, mut bottom) = (f64::NEG_INFINITY, f64::INFINITY);
+        for &edge in a {
+            let [from, to] = found.heights(edge);
+            top = more(top, more(from, to));
+        }
+        for &edge in b {
+            let [from, to] = found.heights(edge);
+            bottom = less(bottom, less(from, to));
+        }
         // No two points are nearer to each other than their heights are, over the length of the way.
         let roundings = SIDES * f64::EPSILON * spread * spread;
         if bottom - top > roundings {

@@ -153,6 +153,29 @@ fn lists_of_any_length_have_the_distance_of_all_pairs() {
 }
 
 #[test]
+fn edges_that_are_not_joined_have_the_distance_of_all_pairs() {
+    let mut dice = Dice(13);
+    for round in 0..4000 {
+        let mut list = |x: f64| -> Vec<[Vec2<f64>; 2]> {
+            let count = 1 + dice.below(12);
+            let mut place = |long: f64| at(x + dice.within(-long, long), dice.within(-1.0, 1.0));
+            // Starts of one list are on one side of those of the other, ends need not be.
+            let edges = (0..count).map(|_| [place(0.5), place(1.5)]);
+            edges.collect()
+        };
+        let (a, b) = (list(0.0), list([1.2, 2.0, 4.0][round % 3]));
+        let found = EdgeBoxes::of_edges(a.iter().copied()).nearest(&EdgeBoxes::of_edges(b.clone()));
+        let expected = of_all(&a, &b);
+        match (found, expected) {
+            (Some(found), Some(expected)) if expected.distance == 0.0 => {
+                assert_eq!(found.distance, 0.0);
+            }
+            (found, expected) => assert_eq!(found, expected),
+        }
+    }
+}
+
+#[test]
 fn single_precision_has_the_distance_of_all_pairs() {
     let mut dice = Dice(10);
     for _ in 0..500 {
