@@ -29,13 +29,45 @@ fn add<S: Real>(to: &mut [S], places: &impl Pack<Scalar = f64>, by: &impl Pack<S
 /// ```
 #[must_use]
 pub fn length_grad<S: Real>(path: &CurvePath<S>) -> (S, CurvePath<S>) {
-    let (mut sum, mut bars) = (S::zero(), vec![S::zero(); path.count()]);
-    for (piece, places) in path.pieces().zip(numbered(path).pieces()) {
+    let (lengths, by) = pulled_lengths(path, |_| S::one());
+    let sum = lengths
+        .into_iter()
+        .fold(S::zero(), |sum, length| sum + length);
+    (sum.canonical(), by)
+}
+
+/// Returns the [length of each piece](CurvePath::lengths) of a path, and its cotangents from those of the lengths.
+///
+/// ```
+/// use geograd::{Vec2, ad::adjoint::curve_bars::lengths_vjp, curve::CurvePath};
+/// let at = |x: f64, y| Vec2::new(x, y);
+/// let path = CurvePath::at(at(0.0, 0.0)).line_to(at(0.0, 5.0)).line_to(at(2.0, 5.0));
+/// let (lengths, by) = lengths_vjp(&path, &[1.0, 10.0]);
+/// assert_eq!(lengths, [5.0, 2.0]);
+/// assert_eq!(by, CurvePath::at(at(0.0, -1.0)).line_to(at(-10.0, 1.0)).line_to(at(10.0, 0.0)));
+/// ```
+///
+/// # Panics
+///
+/// When there are fewer cotangents than pieces.
+#[must_use]
+pub fn lengths_vjp<S: Real>(path: &CurvePath<S>, upstream: &[S]) -> (Vec<S>, CurvePath<S>) {
+    pulled_lengths(path, |piece| upstream[piece])
+}
+
+fn pulled_lengths<S: Real>(
+    path: &CurvePath<S>,
+    upstream: impl Fn(usize) -> S,
+) -> (Vec<S>, CurvePath<S>) {
+    let mut bars = vec![S::zero(); path.count()];
+    let mut lengths = Vec::new();
+    for (number, (piece, places)) in path.pieces().zip(numbered(path).pieces()).enumerate() {
         let (length, by) = gradient(CurvePiece::length, piece);
-        sum += length;
-        add(&mut bars, &places, &by);
+        lengths.push(length);
+        let bar = upstream(number);
+        add(&mut bars, &places, &by.remake(&mut |x| *x * bar));
     }
-    (sum.canonical(), path.refill(&bars))
+    (lengths, path.refill(&bars))
 }
 
 /// Returns the [signed area](CurvePath::signed_area) of a path and its derivatives by every number.

@@ -2,7 +2,7 @@
 use crate::cell_calls::{in_plane, vectors};
 use crate::polygon_calls::{in_watched_runs, numbers};
 use crate::raised;
-use geograd::ad::adjoint::curve_bars::{distances_vjp, length_grad, signed_area_grad};
+use geograd::ad::adjoint::curve_bars::{distances_vjp, length_grad, lengths_vjp, signed_area_grad};
 use geograd::curve::{CurveBoxes, CurveElement, CurvePath, CurvePlace};
 use geograd::{Pack, Validate, Vec2};
 use numpy::PyArray1;
@@ -114,6 +114,29 @@ impl CurveCore {
     }
     fn length(&self) -> f64 {
         self.path.length()
+    }
+    fn lengths<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+        PyArray1::from_vec(py, py.detach(|| self.path.lengths()))
+    }
+    fn lengths_vjp<'py>(
+        &self,
+        py: Python<'py>,
+        upstream: &Object<'py>,
+    ) -> PyResult<(Numbers<'py>, Numbers<'py>)> {
+        let upstream = numbers::<f64>(upstream)?;
+        let count = self.path.pieces().count();
+        if upstream.len() != count {
+            let text = format!(
+                "upstream: {} numbers where there are {count} pieces",
+                upstream.len()
+            );
+            return Err(PyValueError::new_err(text));
+        }
+        let (lengths, by) = py.detach(|| lengths_vjp(&self.path, &upstream));
+        Ok((
+            PyArray1::from_vec(py, lengths),
+            PyArray1::from_vec(py, by.scalars()),
+        ))
     }
     fn area(&self) -> f64 {
         self.path.signed_area()

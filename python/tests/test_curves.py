@@ -44,11 +44,29 @@ def test_gradients_are_those_of_differences():
         value, by = grad()
         assert value == of(path)
         np.testing.assert_allclose(by, slopes(of, path), rtol=1e-6, atol=1e-8)
+    bars = np.random.default_rng(5).normal(size=5)
+    lengths, by = path.lengths_vjp(bars)
+    np.testing.assert_array_equal(lengths, path.lengths)
+    np.testing.assert_allclose(lengths.sum(), path.length, rtol=1e-15)
+    np.testing.assert_allclose(by, slopes(lambda own: own.lengths @ bars, path), rtol=1e-6, atol=1e-8)
     points, upstream = np.random.default_rng(1).uniform(-2, 8, (20, 2)), np.random.default_rng(2).normal(size=20)
     by, by_points = path.distance_vjp(points, upstream)
     np.testing.assert_allclose(by, slopes(lambda own: own.distance(points) @ upstream, path), rtol=1e-5, atol=1e-7)
     ways = (points - path.closest(points)) / path.distance(points)[:, None]
     np.testing.assert_allclose(by_points, ways * upstream[:, None], rtol=1e-12)
+
+
+def test_lengths_of_many_curves_are_those_of_each():
+    draw = np.random.default_rng(6)
+    each = draw.uniform(-1, 1, (50, 8))
+    path = geograd.CurvePath("MC" * 50, each.ravel())
+    alone = [geograd.CurvePath("MC", own).length_grad() for own in each]
+    lengths, by = path.lengths_vjp(np.ones(50))
+    np.testing.assert_array_equal(lengths, [length for length, _ in alone])
+    np.testing.assert_array_equal(by.reshape(50, 8), [by for _, by in alone])
+    with pytest.raises(ValueError, match="upstream: 3 numbers where there are 50 pieces"):
+        path.lengths_vjp(np.ones(3))
+    assert geograd.CurvePath("M", [0, 0]).lengths.shape == (0,)
 
 
 def test_paths_of_svg_are_read():

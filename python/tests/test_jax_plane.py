@@ -99,6 +99,8 @@ def test_curves_are_those_of_numpy_with_the_slopes_of_differences():
     assert (np.asarray(path.distance(points)) == own.distance(points)).all()
     slopes(lambda x: geograd_jax.CurvePath(STEPS, x).length(), NUMBERS)
     slopes(lambda x: geograd_jax.CurvePath(STEPS, x).area(), NUMBERS)
+    assert (path.lengths() == own.lengths).all() and path.lengths().shape == (sum(x != "M" for x in STEPS),)
+    slopes(lambda x: (geograd_jax.CurvePath(STEPS, x).lengths() ** 2).sum(), NUMBERS)
     w = DRAW.normal(0, 1, 30)
     slopes(lambda p, x: (geograd_jax.CurvePath(STEPS, x).distance(p) * w).sum(), points, NUMBERS)
     by = jax.jit(jax.grad(lambda path: path.distance(points).sum()))(path)

@@ -21,6 +21,7 @@ def test_measures_and_distances_are_those_of_numpy_and_pass_gradcheck():
     assert (path.distance(points).detach().numpy() == expected).all()
     for f in [lambda x: geograd_torch.CurvePath(STEPS, x).length(), lambda x: geograd_torch.CurvePath(STEPS, x).area()]:
         assert torch.autograd.gradcheck(f, numbers)
+    assert torch.autograd.gradcheck(lambda x: geograd_torch.CurvePath(STEPS, x).lengths(), numbers)
     assert torch.autograd.gradcheck(lambda p, x: geograd_torch.CurvePath(STEPS, x).distance(p), (points, numbers))
 
 

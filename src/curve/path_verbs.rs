@@ -15,6 +15,18 @@ impl<S: Scalar<Mask = bool>> CurvePath<S> {
         let sum = self.pieces().map(CurvePiece::length);
         sum.fold(S::zero(), |sum, length| sum + length).canonical()
     }
+    /// Returns the length of each piece, at least 0, in order. Kinks as for [`CurvePiece::length`].
+    ///
+    /// ```
+    /// use geograd::{Vec2, curve::CurvePath};
+    /// let at = |x: f64, y| Vec2::new(x, y);
+    /// let path = CurvePath::at(at(0.0, 0.0)).line_to(at(3.0, 4.0)).arc_to(at(5.0, 4.0), 1.0);
+    /// assert_eq!(path.lengths(), [5.0, std::f64::consts::PI]);
+    /// ```
+    #[must_use]
+    pub fn lengths(&self) -> Vec<S> {
+        self.pieces().map(CurvePiece::length).collect()
+    }
     /// Returns the signed area of all contours, positive counter-clockwise. A straight line from its end closes a contour that
     /// is open, as SVG fills it.
     ///

@@ -194,6 +194,11 @@ class CurvePath:
         return self._core.length()
 
     @property
+    def lengths(self):
+        """The length of each piece, of shape (P,): one for every step but ``M``, ``Z`` being the line back to the start."""
+        return self._core.lengths()
+
+    @property
     def area(self):
         """The signed area of all contours, positive counter-clockwise. A straight line closes those that are open."""
         return self._core.area()
@@ -207,6 +212,13 @@ class CurvePath:
     def length_grad(self):
         """The length, and its derivatives by the numbers."""
         return self._core.length_grad()
+
+    def lengths_vjp(self, lengths_bar):
+        """The lengths of all pieces, and the cotangents of the numbers from those of the lengths."""
+        bars = np.ascontiguousarray(lengths_bar, np.float64)
+        if bars.ndim != 1:
+            raise ValueError(f"lengths_bar: an array of one axis is needed, not of shape {bars.shape}")
+        return self._core.lengths_vjp(bars)
 
     def area_grad(self):
         """The signed area, and its derivatives by the numbers."""

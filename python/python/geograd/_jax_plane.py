@@ -158,6 +158,17 @@ class CurvePath:
         """The length of all pieces."""
         return self._measured("length")
 
+    def lengths(self) -> Array:
+        """The length of each piece, of shape (P,)."""
+        steps = self.steps
+
+        def value(numbers: Any, _: Any, bars: Any) -> Any:
+            path = geograd.CurvePath(steps, numbers)
+            return [path.lengths] if bars is None else [path.lengths_vjp(bars[0])[1]]
+
+        count = sum(letter != "M" for letter in steps)
+        return hosted((self.numbers,), [(count,)], value)[0]
+
     def area(self) -> Array:
         """The signed area of all contours, positive counter-clockwise. A straight line closes those that are open."""
         return self._measured("area")

@@ -26,6 +26,22 @@ class _Measured(torch.autograd.Function):
         return None, None, upstream * last(ctx.name, ctx.slopes, *ctx.saved_tensors)
 
 
+class _Lengths(torch.autograd.Function):
+    """The lengths of the pieces of a path."""
+
+    @staticmethod
+    def forward(ctx: Any, path: Any, numbers: torch.Tensor) -> torch.Tensor:
+        ctx.path = path
+        ctx.save_for_backward(numbers)
+        return torch.from_numpy(path.lengths).to(numbers.dtype)
+
+    @staticmethod
+    def backward(ctx: Any, upstream: torch.Tensor) -> Any:
+        (numbers,) = ctx.saved_tensors
+        _, bars = ctx.path.lengths_vjp(upstream.detach().numpy())
+        return None, last("lengths", torch.from_numpy(bars).to(numbers.dtype), upstream, numbers)
+
+
 class _Distance(torch.autograd.Function):
     """The distances of points from a path."""
 
@@ -65,6 +81,11 @@ class CurvePath:
     def length(self) -> torch.Tensor:
         """The length of all pieces."""
         found: torch.Tensor = _Measured.apply(self.column, "length", self.numbers)
+        return found
+
+    def lengths(self) -> torch.Tensor:
+        """The length of each piece, of shape (P,)."""
+        found: torch.Tensor = _Lengths.apply(self.column, self.numbers)
         return found
 
     def area(self) -> torch.Tensor:
