@@ -171,6 +171,9 @@ class CurvePath:
     def length(self) -> float:
         """The length of all pieces."""
     @property
+    def lengths(self) -> Array:
+        """The length of each piece, of shape (P,): one for every step but ``M``, ``Z`` being the line back to the start."""
+    @property
     def area(self) -> float:
         """The signed area of all contours, positive counter-clockwise."""
     @property
@@ -178,6 +181,8 @@ class CurvePath:
         """The smallest box around the path, of shape (4,)."""
     def length_grad(self) -> tuple[float, Array]:
         """The length, and its derivatives by the numbers."""
+    def lengths_vjp(self, lengths_bar: ArrayLike) -> tuple[Array, Array]:
+        """The lengths of all pieces, and the cotangents of the numbers from those of the lengths."""
     def area_grad(self) -> tuple[float, Array]:
         """The signed area, and its derivatives by the numbers."""
     def reversed(self) -> CurvePath:
