@@ -128,7 +128,9 @@ def border(faces: Any) -> tuple[Any, Any, Any]:
     return np.where(flipped, pairs[:, 1], pairs[:, 0]), np.where(flipped, pairs[:, 0], pairs[:, 1]), np.abs(times)
 
 
-def swept(xp: Any, whole: Callable[[Any], Any], add: Callable[..., Any], faces: Any, upstream: Any, points: Any, vertices: Any) -> tuple[Any, Any]:
+def swept(
+    xp: Any, whole: Callable[[Any], Any], add: Callable[..., Any], faces: Any, upstream: Any, points: Any, vertices: Any
+) -> tuple[Any, Any]:
     """The cotangents of points and vertices from those of winding numbers: what the border sweeps.
 
     With an edge from a to b, seen from a point, and D = |a||b| + a·b, a moved start has b×a / (|a| D), a moved end b×a / (|b| D),
