@@ -54,7 +54,7 @@ impl CurveBoxes {
         &self.pieces
     }
     /// Returns the place of the path that is nearest to a point; `None` for a path without pieces. The first one of equally
-    /// near ones counts.
+    /// near ones counts. Numbers are finite: others have any place.
     #[must_use]
     pub fn closest(&self, point: Vec2<f64>) -> Option<CurvePlace> {
         let at = [[point.x; 2], [point.y; 2]];

@@ -7,6 +7,9 @@ const SMALL: usize = 1 << 12;
 /// The share of larger tables that such a search may look at before the whole table takes less time.
 const SHARE: usize = 32;
 
+/// Squares from here on have their digits.
+const LEAST: f64 = 1e-280;
+
 /// Vertices by axis.
 type Columns<'a> = [&'a [f64]; 2];
 
@@ -21,16 +24,26 @@ pub(super) fn deciding<S: Scalar<Mask = bool>>(a: &[Vec2<S>], b: &[Vec2<S>]) -> 
     let (bx, by) = other.split_at_mut(m);
     let is_plain = put(a.iter(), ax, ay) & put(b.iter().rev(), bx, by);
     let sizes = paths.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let by_distance = || deciding_by([n, m], |i, j| a[i].distance(b[j]));
     // Squares would leave the format.
     if !is_plain || !(1e-100..1e100).contains(&sizes) {
-        return deciding_by([n, m], |i, j| a[i].distance(b[j]));
+        return by_distance();
     }
     let (own, other) = paths.split_at(2 * n);
-    let (a, b): (Columns<'_>, Columns<'_>) = (own.split_at(n).into(), other.split_at(m).into());
-    let cost = |i: usize, j: usize| {
-        let (x, y) = (a[0][i] - b[0][m - 1 - j], a[1][i] - b[1][m - 1 - j]);
-        x * x + y * y
-    };
+    let (own, other) = (own.split_at(n).into(), other.split_at(m).into());
+    let pair = deciding_by_squares(own, other, table)?;
+    // Of paths that are all but equal squares have lost their digits.
+    match square(own, other, pair) < LEAST {
+        true => by_distance(),
+        false => Some(pair),
+    }
+}
+
+/// Returns the pair that decides by squares of distances, and needs room for a table of infinite numbers. The second path is
+/// backwards.
+fn deciding_by_squares(a: Columns<'_>, b: Columns<'_>, table: &mut [f64]) -> Option<[usize; 2]> {
+    let (n, m) = (a[0].len(), b[0].len());
+    let cost = |i: usize, j: usize| square(a, b, [i, j]);
     let pairs = n.saturating_mul(m);
     if pairs > SMALL {
         let bound = greedy([n, m], &cost)?;
@@ -44,6 +57,14 @@ pub(super) fn deciding<S: Scalar<Mask = bool>>(a: &[Vec2<S>], b: &[Vec2<S>]) -> 
     }
     // Pairs that tie: the walk tells which one is first. No longer leash needs to be looked at.
     reached([n, m], &cost, least, usize::MAX).ok()?
+}
+
+/// Returns the squared distance of a pair of vertices. The second path is backwards.
+#[inline(always)]
+fn square([ax, ay]: Columns<'_>, [bx, by]: Columns<'_>, [i, j]: [usize; 2]) -> f64 {
+    let k = bx.len() - 1 - j;
+    let (x, y) = (ax[i] - bx[k], ay[i] - by[k]);
+    x * x + y * y
 }
 
 /// Writes the coordinates of vertices. Returns `true` if all are plain numbers.

@@ -241,6 +241,12 @@ fn long_outlines_have_the_distance_of_all_pairs() {
 
 #[test]
 fn far_away_tiny_huge_and_empty() {
+    // Differences whose squares are below the format, beside an ordinary coordinate.
+    for [near, far] in [[1e-200, 2e-200], [2.9e-162, 3e-162]] {
+        let (p, q) = ([at(0.0, 1.0); 2], [at(near, 1.0), at(far, 1.0)]);
+        assert_eq!(frechet(&p, &q), Some(far));
+        assert_eq!(frechet(&p, &p), Some(0.0));
+    }
     let mut dice = Dice(4);
     let (a, b) = (wavy(&mut dice, 40, 0.0), wavy(&mut dice, 30, 1.0));
     let of = |a: &Way, b: &Way| {
