@@ -92,10 +92,9 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
         let (whole, others) = (self.tree.whole()?, other.tree.whole()?);
         let wholes = [whole, others];
         let mut search = Search::new([self, other], wholes);
-        if search.all_few(wholes, MOST).is_some() {
-            return search.best;
+        if !search.all_few(wholes, MOST) {
+            search.by_boxes();
         }
-        search.by_boxes();
         search.best
     }
     /// Returns `true` where the boxes around both have a point in common. One polygon contains a part of another only then.
@@ -219,24 +218,29 @@ impl<'a, S: Scalar<Mask = bool>> Search<'a, S> {
             slack: SLACK * S::format().epsilon() * spread,
         }
     }
-    /// Compares the edges that approximate distances leave, given the boxes around both lists. Returns `None` of lists that
+    /// Compares the edges that approximate distances leave, given the boxes around both lists. Returns `false` of lists that
     /// have more of them than there is room, or more than so many edges.
     #[inline(always)]
-    pub fn all_few(&mut self, wholes: [Ends; 2], most: usize) -> Option<()> {
+    pub fn all_few(&mut self, wholes: [Ends; 2], most: usize) -> bool {
         let [a, b] = self.both;
-        if a.edges.len().max(b.edges.len()) > most {
-            return None;
-        }
+        let count = a.edges.len().max(b.edges.len());
         // Approximate distances have roundings of their own.
         let slack = 2.0 * self.slack;
-        let approach = Approach::of(&a.edges, &b.edges, self.spread, slack)?;
-        let is_found = match a.edges.len().max(b.edges.len()) {
-            _ if approach.is_parted() && self.few::<4>(wholes, &approach) => true,
+        let approach = match count <= most {
+            true => Approach::of(&a.edges, &b.edges, self.spread, slack),
+            false => None,
+        };
+        let Some(approach) = approach else {
+            return false;
+        };
+        if approach.is_parted() && self.few::<4>(wholes, &approach) {
+            return true;
+        }
+        match count {
             ..=4 => self.few::<4>(wholes, &approach),
             5..=8 => self.few::<8>(wholes, &approach),
             _ => self.few::<16>(wholes, &approach),
-        };
-        is_found.then_some(())
+        }
     }
     /// Compares such edges where there are not more of either list than there is room.
     fn few<const ROOM: usize>(&mut self, wholes: [Ends; 2], approach: &Approach) -> bool {

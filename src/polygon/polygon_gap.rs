@@ -71,15 +71,14 @@ impl<S: Scalar<Mask = bool>> DistanceRoom<S> {
         own.take(a);
         other.take(b);
         let mut search = Search::new([own, other], wholes);
-        let best = match search.all_few(wholes, MANY) {
-            Some(()) => search.best,
-            None => {
-                own.build();
-                other.build();
-                let mut search = Search::new([own, other], wholes);
-                search.by_boxes();
-                search.best
-            }
+        let best = if search.all_few(wholes, MANY) {
+            search.best
+        } else {
+            own.build();
+            other.build();
+            let mut search = Search::new([own, other], wholes);
+            search.by_boxes();
+            search.best
         };
         best.map_or(S::largest(), |best| best.distance)
     }
