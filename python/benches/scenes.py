@@ -12,7 +12,7 @@ os.environ["OMP_NUM_THREADS"] = "1"
 
 import numpy as np
 import open3d
-from knots import QUERIES, SIZES, knot, line, places
+from knots import QUERIES, each, line, places
 
 import geograd
 
@@ -36,8 +36,7 @@ def of_mesh(name, vertices, faces):
 def main():
     geograd.set_num_threads(1)
     print("| what | Open3D, µs | geograd, µs | ratio |\n| --- | ---: | ---: | ---: |")
-    for long, around in SIZES:
-        of_mesh(f"knot of {2 * long * around} faces", *knot(long, around))
+    each(of_mesh)
 
 
 if __name__ == "__main__":

@@ -3,8 +3,7 @@ use super::curve_nearest::{CurvePlace, closest_of};
 use super::curve_path::CurvePath;
 use super::curve_piece::CurvePiece;
 use super::curve_winding::{crossings, of_chord};
-use crate::arrays::sort_few;
-use crate::polygon::box_ends::{Ends, NOWHERE, join, squared_gap};
+use crate::polygon::box_ends::{Ends, NOWHERE, joined, squared_gap};
 use crate::polygon::box_tree::{BoxTree, FEW};
 use crate::{Scalar, Vec2};
 
@@ -60,26 +59,19 @@ impl CurveBoxes {
         let at = [[point.x; 2], [point.y; 2]];
         let mut best: Option<(CurvePlace, f64)> = None;
         self.tree.whole()?;
+        let mut limit = f64::INFINITY;
         let mut left = vec![(0.0, self.tree.top())];
         while let Some((gap, node)) = left.pop() {
-            if best.is_some_and(|(_, found)| is_beyond(gap, found)) {
+            if gap > limit {
                 continue;
             }
             if node.level > 0 {
-                let first = left.len();
-                let children = self.tree.children(node);
-                left.extend(children.map(|child| (squared_gap(self.tree.at(child), at), child)));
-                // The nearest one comes first.
-                sort_few(&mut left[first..], |(one, _), (another, _)| {
-                    another.total_cmp(one).is_lt()
-                });
+                self.tree.push_near(node, at, limit, &mut left);
                 continue;
             }
-            let own = node.place * FEW..self.pieces.len().min((node.place + 1) * FEW);
-            for piece in own {
+            for piece in node.items(self.pieces.len()) {
                 let curve = self.pieces[piece];
-                let gap = squared_gap(reach(curve), at);
-                if best.is_some_and(|(_, found)| is_beyond(gap, found)) {
+                if squared_gap(reach(curve), at) > limit {
                     continue;
                 }
                 let (place, found) = closest_of(curve, point);
@@ -88,6 +80,7 @@ impl CurveBoxes {
                 });
                 if is_nearer {
                     best = Some((CurvePlace { piece, ..place }, found));
+                    limit = beyond(found);
                 }
             }
         }
@@ -113,8 +106,7 @@ impl CurveBoxes {
                 left.extend(self.tree.children(node));
                 continue;
             }
-            let own = node.place * FEW..self.pieces.len().min((node.place + 1) * FEW);
-            for &piece in &self.pieces[own] {
+            for &piece in &self.pieces[node.items(self.pieces.len())] {
                 sum += crossings(piece, point, 0);
             }
         }
@@ -122,14 +114,10 @@ impl CurveBoxes {
     }
 }
 
-/// Returns `true` if nothing beyond a squared gap is as near as a distance: roundings of either are below 1e-13 of it, and
+/// Returns the squared gap beyond which nothing is as near as a distance: roundings of either are below 1e-13 of it, and
 /// squares that have none are not compared.
-pub(super) fn is_beyond(squared_gap: f64, found: f64) -> bool {
-    squared_gap > found * found * (1.0 + 1e-13) + f64::MIN_POSITIVE
-}
-
-fn joined(a: Ends, b: Ends) -> Ends {
-    [0, 1].map(|k| join(a[k], b[k]))
+pub(super) fn beyond(found: f64) -> f64 {
+    found * found * (1.0 + 1e-13) + f64::MIN_POSITIVE
 }
 
 /// Returns a box that holds the control points of a piece, and with them the piece.

@@ -1,5 +1,5 @@
 //! Measures of whole paths: length, area, bounds, nearest places, winding numbers, chords.
-use super::curve_boxes::{is_beyond, reach};
+use super::curve_boxes::{beyond, reach};
 use super::curve_nearest::{CurvePlace, closest_of};
 use super::curve_path::{Contour, CurvePath};
 use super::curve_piece::CurvePiece;
@@ -89,7 +89,7 @@ impl<S: Scalar<Mask = bool>> CurvePath<S> {
         let mut best: Option<(CurvePlace, f64)> = None;
         for (number, piece) in self.pieces().enumerate() {
             let piece = piece.widened();
-            if best.is_some_and(|(_, found)| is_beyond(squared_gap(reach(piece), at), found)) {
+            if best.is_some_and(|(_, found)| squared_gap(reach(piece), at) > beyond(found)) {
                 continue;
             }
             let (place, found) = closest_of(piece, point);

@@ -13,6 +13,12 @@ pub(crate) fn join(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [low, if b[1] > a[1] { b[1] } else { a[1] }]
 }
 
+/// Returns the box around two.
+#[inline(always)]
+pub(crate) fn joined(a: Ends, b: Ends) -> Ends {
+    [0, 1].map(|k| join(a[k], b[k]))
+}
+
 /// Returns the squared distance of two boxes.
 #[inline(always)]
 pub(crate) fn squared_gap(a: Ends, b: Ends) -> f64 {

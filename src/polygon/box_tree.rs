@@ -1,5 +1,7 @@
 //! Boxes around stretches of a list, for searches among its items.
-use super::box_ends::{Ends, NOWHERE, join};
+use super::box_ends::{Ends, NOWHERE, joined, squared_gap};
+use crate::arrays::sort_few;
+use std::ops::Range;
 
 /// The number of items in a leaf, and of boxes in a larger one.
 pub(crate) const FEW: usize = 4;
@@ -11,6 +13,13 @@ pub(crate) struct Node {
     pub level: usize,
     /// The place among the boxes of the level.
     pub place: usize,
+}
+
+impl Node {
+    /// Returns the items of a leaf, of so many in all.
+    pub fn items(self, count: usize) -> Range<usize> {
+        self.place * FEW..count.min((self.place + 1) * FEW)
+    }
 }
 
 /// Boxes around four items each, around four of these, and so on. Neighbours in the list should be near each other.
@@ -42,8 +51,7 @@ impl BoxTree {
             }
             for first in (from..end).step_by(FEW) {
                 let own = self.boxes[first..end.min(first + FEW)].iter();
-                let joined = own.fold(NOWHERE, |all, own| [0, 1].map(|k| join(all[k], own[k])));
-                self.boxes.push(joined);
+                self.boxes.push(own.copied().fold(NOWHERE, joined));
             }
             from = end;
         }
@@ -62,6 +70,20 @@ impl BoxTree {
     /// Returns a box.
     pub fn at(&self, node: Node) -> Ends {
         self.boxes[self.levels[node.level] + node.place]
+    }
+    /// Pushes the boxes in a larger one that are within a squared gap of another box, the nearest one last.
+    #[inline]
+    pub fn push_near(&self, node: Node, at: Ends, limit: f64, left: &mut Vec<(f64, Node)>) {
+        let first = left.len();
+        for child in self.children(node) {
+            let gap = squared_gap(self.at(child), at);
+            if gap <= limit {
+                left.push((gap, child));
+            }
+        }
+        sort_few(&mut left[first..], |(one, _), (another, _)| {
+            another.total_cmp(one).is_lt()
+        });
     }
     /// Returns the boxes in a larger one.
     pub fn children(&self, node: Node) -> impl Iterator<Item = Node> + use<> {

@@ -134,21 +134,10 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
                 continue;
             }
             if node.level > 0 {
-                let first = left.len();
-                for child in self.tree.children(node) {
-                    let gap = squared_gap(self.tree.at(child), place);
-                    if gap <= limit {
-                        left.push((gap, child));
-                    }
-                }
-                // The nearest one comes first.
-                sort_few(&mut left[first..], |(one, _), (another, _)| {
-                    another.total_cmp(one).is_lt()
-                });
+                self.tree.push_near(node, place, limit, left);
                 continue;
             }
-            let own = node.place * FEW..self.edges.len().min((node.place + 1) * FEW);
-            for edge in own {
+            for edge in node.items(self.edges.len()) {
                 if squared_gap(around(&self.edges[edge..=edge]), place) > limit {
                     continue;
                 }
@@ -180,8 +169,7 @@ impl<S: Scalar<Mask = bool>> EdgeBoxes<S> {
                 left.extend(self.tree.children(node));
                 continue;
             }
-            let own = node.place * FEW..self.edges.len().min((node.place + 1) * FEW);
-            if self.edges[own]
+            if self.edges[node.items(self.edges.len())]
                 .iter()
                 .any(|edge| meets(around(std::slice::from_ref(edge))))
             {
@@ -268,7 +256,7 @@ impl<'a, S: Scalar<Mask = bool>> Search<'a, S> {
             }
             let [a, b] = nodes;
             if a.level == 0 && b.level == 0 {
-                if self.leaves(a.place, b.place) {
+                if self.leaves(nodes) {
                     break;
                 }
                 continue;
@@ -290,17 +278,16 @@ impl<'a, S: Scalar<Mask = bool>> Search<'a, S> {
         }
     }
     /// Compares the edges of two leaves. Returns `true` once two edges meet.
-    fn leaves(&mut self, a: usize, b: usize) -> bool {
-        let of = |side: usize, leaf: usize| {
-            let own = &self.both[side].edges;
-            leaf * FEW..own.len().min((leaf + 1) * FEW)
-        };
-        let (own, others) = (of(0, a), of(1, b));
+    fn leaves(&mut self, [a, b]: [Node; 2]) -> bool {
+        let (own, others) = (
+            a.items(self.both[0].edges.len()),
+            b.items(self.both[1].edges.len()),
+        );
         let mut ends = [NOWHERE; FEW];
         for (ends, edge) in ends.iter_mut().zip(&self.both[1].edges[others.clone()]) {
             *ends = around(std::slice::from_ref(edge));
         }
-        let whole = self.both[1].tree.at(Node { level: 0, place: b });
+        let whole = self.both[1].tree.at(b);
         for i in own {
             let edge = self.both[0].edges[i];
             let seen = around(&[edge]);
@@ -369,11 +356,6 @@ pub(super) fn around<S: Scalar>(edges: &[[Vec2<S>; 2]]) -> Ends {
     ends.fold(NOWHERE, |[x, y], end| {
         [join(x, seen(end.x)), join(y, seen(end.y))]
     })
-}
-
-#[inline(always)]
-pub(super) fn joined(a: Ends, b: Ends) -> Ends {
-    [0, 1].map(|k| join(a[k], b[k]))
 }
 
 /// Returns the largest difference of two coordinates of the points of two boxes.

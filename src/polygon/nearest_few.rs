@@ -1,5 +1,5 @@
 //! The nearest edges of short lists: approximate distances of all pairs at once tell which pairs can be nearest.
-use super::box_ends::{Ends, NOWHERE, join, squared_gap};
+use super::box_ends::{Ends, NOWHERE, join, joined, squared_gap};
 use crate::{Scalar, Vec2};
 
 /// Differences of coordinates of which squares and products are far from the limits of the format.
@@ -80,7 +80,7 @@ impl<const ROOM: usize> Candidates<ROOM> {
         let seen = a.iter().map(|&edge| ends(edge));
         let near = seen
             .filter(|&own| squared_gap(own, wholes[1]) <= limit)
-            .fold(NOWHERE, |all, own| [0, 1].map(|k| join(all[k], own[k])));
+            .fold(NOWHERE, joined);
         self.b
             .fill(b, |edge| squared_gap(ends(edge), near) <= limit)?;
         let others = self.b.bounds();
@@ -182,7 +182,7 @@ pub(super) struct Approach {
     way: [f64; 2],
     /// The square beyond which no edges are nearest.
     square: f64,
-    /// Where a line parts both lists: the least height of nearest edges of the first one, and the largest of the second.
+    /// The least height of nearest edges of the first list and the largest of the second, if a line parts both.
     limits: Option<[f64; 2]>,
 }
 

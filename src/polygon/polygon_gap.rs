@@ -1,6 +1,6 @@
 //! The distance of two polygons: one vertex of each, a line between both, then boxes of edges.
-use super::box_ends::{Ends, NOWHERE, squared_gap};
-use super::edge_boxes::{EdgeBoxes, Search, around, joined, seen};
+use super::box_ends::{Ends, NOWHERE, joined, squared_gap};
+use super::edge_boxes::{EdgeBoxes, Search, around, seen};
 use super::{Fill, Rings};
 use crate::{Scalar, Vec2};
 
@@ -12,7 +12,7 @@ const MANY: usize = 1024;
 ///
 /// Search by a line between both and by boxes, of time in proportion to the number of vertices for polygons that are not
 /// long beside each other.
-/// Whether areas meet is decided exactly, but for edges that cross within a rounding.
+/// The decision that areas meet is exact, but for edges that cross within a rounding.
 /// Kinks: several nearest edges, of which the first have the derivative, and polygons that touch.
 ///
 /// ```

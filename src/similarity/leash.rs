@@ -32,7 +32,7 @@ pub(super) fn deciding<S: Scalar<Mask = bool>>(a: &[Vec2<S>], b: &[Vec2<S>]) -> 
     let (own, other) = paths.split_at(2 * n);
     let (own, other) = (own.split_at(n).into(), other.split_at(m).into());
     let pair = deciding_by_squares(own, other, table)?;
-    // Of paths that are all but equal squares have lost their digits.
+    // Squares of paths that are all but equal have lost their digits.
     match square(own, other, pair) < LEAST {
         true => by_distance(),
         false => Some(pair),

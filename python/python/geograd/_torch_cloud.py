@@ -10,8 +10,8 @@ import torch
 
 import geograd
 from geograd import _record_formulas as formulas
+from geograd._torch_host import differentiated
 from geograd._torch_mesh import _array, _like
-from geograd._torch_mesh_formulas import differentiated
 
 
 class _Nearest(torch.autograd.Function):

@@ -1,8 +1,8 @@
-"""Tensors that the library reads on the host."""
+"""Tensors that the library reads on the host, and derivatives of derivatives."""
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Callable, Sequence
 
 import numpy as np
 import torch
@@ -39,3 +39,15 @@ def last(what: str, part: torch.Tensor, *leaves: torch.Tensor) -> torch.Tensor:
     """A derivative by some leaves; an error where its own derivatives are asked for, instead of none."""
     found: torch.Tensor = _Last.apply(what, part, *leaves)
     return found
+
+
+def differentiated(value: Callable[..., torch.Tensor], leaves: Sequence[torch.Tensor], upstream: torch.Tensor) -> list[Any]:
+    """The cotangents of tensors, with derivatives of their own; None for a tensor without one."""
+    wanted = [k for k, leaf in enumerate(leaves) if leaf.requires_grad]
+    out: list[Any] = [None] * len(leaves)
+    if wanted:
+        computed = value(*(leaf.double() for leaf in leaves)).reshape(upstream.shape)
+        of = [leaves[k] for k in wanted]
+        for k, bar in zip(wanted, torch.autograd.grad(computed, of, upstream.double(), create_graph=True, allow_unused=True)):
+            out[k] = bar
+    return out

@@ -13,8 +13,7 @@ from geograd import _core
 from geograd import _record_formulas as formulas
 from geograd._mesh import SOLIDS, energy_columns
 from geograd._shapes import CLASSES
-from geograd._torch_host import checked, last
-from geograd._torch_mesh_formulas import differentiated
+from geograd._torch_host import checked, differentiated, last
 from geograd._torch_verbs import _VERBS
 
 

@@ -10,8 +10,7 @@ import torch
 
 import geograd
 from geograd._record_formulas import weights
-from geograd._torch_host import array
-from geograd._torch_mesh_formulas import differentiated
+from geograd._torch_host import array, differentiated
 
 
 class PlaceWeights(NamedTuple):
